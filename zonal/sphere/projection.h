@@ -1,0 +1,72 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace zonal {
+
+/// How a flat picture shows the sphere. Names on the command line are those of name_of().
+enum class Layout {
+  kEquirect,               ///< latitude-longitude, 2:1, +Z up, +X in the centre, -Y right of it
+  kCubeStack,              ///< six faces +X -X +Y -Y +Z -Z from top to bottom, 1:6 (vertical strip; six files in memory)
+  kCubeRow,                ///< the same from left to right, 6:1 (horizontal strip)
+  kCubeCross,              ///< horizontal cross, 4:3
+  kCubeCrossVertical,      ///< vertical cross, 3:4, -Z at the bottom rotated by half a turn
+  kCubeCrossVerticalUnrotated,  ///< vertical cross, 3:4, -Z at the bottom as it is
+  kOctahedral,             ///< Meyer et al. 2010
+  kOctahedralEqualArea,    ///< Clarberg 2008, as in pbrt-v4
+  kMirrorBall,             ///< orthographic photograph of a mirrored ball
+  kSphereMap,              ///< the same picture, as in OpenGL's GL_SPHERE_MAP
+  kAngular,                ///< angular map ("light probe", Debevec 1998), the full sphere in a disc
+  kDualParaboloid,         ///< two paraboloids side by side, 2:1 (Heidrich & Seidel 1998)
+  kFisheye,                ///< one circle, described by a Lens
+  kDualFisheye,            ///< two circles side by side, each described by the Lens, looking opposite ways
+};
+
+/// How a fisheye lens maps the angle from its axis to the distance from the centre.
+enum class LensModel { kEquidistant, kEquisolid, kStereographic, kOrthographic };
+
+/// Where the circle lies in the picture. Centre and radii in pixels; zero radii: the largest centred circle.
+struct Lens {
+  LensModel model = LensModel::kEquidistant;
+  double fov_deg = 180;
+  double center_x_px = 0, center_y_px = 0;
+  double radius_x_px = 0, radius_y_px = 0;
+  bool operator==(const Lens&) const = default;
+};
+
+struct Projection {
+  Layout layout = Layout::kEquirect;
+  Lens lens = {};  ///< used by kFisheye and kDualFisheye only
+  bool operator==(const Projection&) const = default;
+};
+
+std::string_view name_of(Layout);
+std::string_view name_of(LensModel);
+std::optional<Layout> layout_named(std::string_view name);
+std::optional<LensModel> lens_model_named(std::string_view name);
+std::span<const Layout> all_layouts();
+
+struct ImageSize {
+  int width = 0, height = 0;
+  bool operator==(const ImageSize&) const = default;
+};
+
+/// The size of a picture in this layout whose natural unit (equirectangular height, cube face edge, disc diameter, octahedral
+/// side) is `size_px`.
+ImageSize image_size(Layout, int size_px);
+
+/// The natural unit of a picture of this size; nullopt where the shape does not fit the layout.
+std::optional<int> natural_size(Layout, ImageSize);
+
+/// What the shape and the name of a picture suggest, and why, in words for the user.
+struct Guess {
+  Projection projection;
+  std::string reason;
+};
+/// nullopt: nothing suggests anything.
+std::optional<Guess> guess_projection(ImageSize, std::string_view file_name);
+
+}  // namespace zonal
