@@ -1,7 +1,8 @@
 # One interface target carries the flags that every target of this project is built with.
 add_library(zonal_flags INTERFACE)
 target_compile_options(zonal_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wno-float-conversion -Wno-psabi)
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wno-float-conversion -Wno-psabi
+  -fno-math-errno)  # nothing here asks errno, and without it square roots vectorise
 if(ZONAL_SANITIZE)
   target_compile_options(zonal_flags INTERFACE -fsanitize=${ZONAL_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(zonal_flags INTERFACE -fsanitize=${ZONAL_SANITIZE})
