@@ -18,7 +18,7 @@ std::vector<Complex> by_definition(const std::vector<Complex>& values) {
   const long n = static_cast<long>(values.size());
   std::vector<Complex> result(values.size());
   for (long k = 0; k < n; ++k) {
-    for (long j = 0; j < n; ++j) result[k] += values[j] * std::polar(1.0, -2 * kPi * static_cast<double>(j * k % n) / n);
+    for (long j = 0; j < n; ++j) result[k] += values[j] * std::polar(1.0, -2 * kPi * static_cast<double>(j * k % n) / static_cast<double>(n));
   }
   return result;
 }

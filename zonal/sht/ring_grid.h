@@ -4,6 +4,12 @@
 
 namespace zonal {
 
+/// A texel of a grid.
+struct GridTexel {
+  int x = 0, y = 0;
+  bool operator==(const GridTexel&) const = default;
+};
+
 /// How much a texel of an equirectangular grid counts in an integral over the sphere.
 enum class RingWeights {
   kTexelArea,  ///< its solid angle: the map is the sum of its texels, exact for that sum at any number of bands

@@ -10,12 +10,6 @@
 
 namespace zonal {
 
-/// A texel of a grid.
-struct GridTexel {
-  int x = 0, y = 0;
-  bool operator==(const GridTexel&) const = default;
-};
-
 /// Coefficients of an equirectangular map: f_lm = Σ over texels of f w y_lm, w = `weights`, y_lm the real basis about +Z without
 /// Condon-Shortley sign. With kTexelArea this is exact for the sum over texels at any number of bands; with kFejer it is the integral of
 /// any function of fewer bands than half the width and than the height. Double throughout; rounding error about
