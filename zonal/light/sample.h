@@ -7,8 +7,8 @@
 
 namespace zonal {
 
-/// Reads an environment between its texels, seamlessly across poles, cube edges and folds. Holds a reference: the environment
-/// must outlive it.
+/// Reads an environment between its texels, seamlessly across poles, cube edges and folds. Holds a reference: the
+/// environment must outlive it.
 class Sampler {
  public:
   explicit Sampler(const Environment&);

@@ -1,0 +1,100 @@
+// The house keeps its shape: a file includes only its own floor or lower ones, and stays a room one can see all of.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kLongestFile = 400;
+
+/// What each floor may include besides itself; sphere and image are siblings.
+const std::map<std::string, std::set<std::string>> kMayInclude = {
+    {"base", {}},
+    {"math", {"base"}},
+    {"sphere", {"base", "math"}},
+    {"image", {"base", "math"}},
+    {"sh", {"base", "math"}},
+    {"sht", {"base", "math", "sh"}},
+    {"light", {"base", "math", "sphere", "image", "sh", "sht"}},
+    {"io", {"base", "math", "sphere", "image", "sh", "sht", "light"}},
+    {"report", {"base", "math", "sphere", "image", "sh", "sht", "light", "io"}},
+};
+
+std::vector<fs::path> sources(const std::vector<std::string>& folders) {
+  std::vector<fs::path> files;
+  for (const std::string& folder : folders) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(ZONAL_SOURCE_DIR) / folder)) {
+      const std::string extension = entry.path().extension().string();
+      if (extension == ".h" || extension == ".cpp") files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<std::string> lines_of(const fs::path& path) {
+  std::ifstream in(path);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST(House, EveryIncludeStaysOnItsFloorOrGoesDown) {
+  const std::regex include(R"(^#include "zonal/(\w+)/.*)");
+  int includes = 0;
+  for (const fs::path& path : sources({"zonal"})) {
+    const fs::path inside = fs::relative(path, fs::path(ZONAL_SOURCE_DIR) / "zonal");
+    const std::string floor = inside.begin()->string();
+    if (inside.has_parent_path() == false) continue;  // the umbrella sees everything
+    ASSERT_TRUE(kMayInclude.contains(floor)) << path << " is on no floor of the house";
+    for (const std::string& line : lines_of(path)) {
+      std::smatch match;
+      if (!std::regex_match(line, match, include)) continue;
+      ++includes;
+      EXPECT_TRUE(match[1] == floor || kMayInclude.at(floor).contains(match[1])) << path << ": " << line;
+    }
+  }
+  EXPECT_GT(includes, 300) << "the scan found too little to mean anything";
+}
+
+TEST(House, EveryFileIsARoom) {
+  int files = 0;
+  for (const fs::path& path : sources({"zonal", "apps", "bench", "tests"})) {
+    EXPECT_LE(static_cast<int>(lines_of(path).size()), kLongestFile) << path;
+    EXPECT_EQ(path.string().find("util"), std::string::npos) << path << ": name it after what is in it";
+    ++files;
+  }
+  EXPECT_GT(files, 100);
+}
+
+TEST(House, KernelsIncludeNothingThatCouldBeCompiledTwice) {
+  // A kernel is compiled for each instruction set: an inline function of a shared header in it could end up in every program
+  // in its strongest form.
+  const std::set<std::string> harmless = {"base/cpu.h", "math/vec.h"};
+  const std::regex include(R"(^#include [<"](.*)[>"].*)");
+  int kernels = 0;
+  for (const fs::path& path : sources({"zonal"})) {
+    if (!path.string().ends_with("_kernel.cpp")) continue;
+    ++kernels;
+    for (const std::string& line : lines_of(path)) {
+      std::smatch match;
+      if (std::regex_match(line, match, include)) {
+        EXPECT_TRUE(match[1].str().starts_with("zonal/") && match[1].str().ends_with("kernel.h") ||
+                    match[1].str().ends_with("kernels.h") || match[1] == "cstdint" || match[1] == "immintrin.h")
+            << path << ": " << line;
+      }
+    }
+  }
+  EXPECT_GE(kernels, 5);
+}
+
+}  // namespace

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <optional>
+
+#include "zonal/io/picture.h"
+
+namespace zonal {
+
+/// JPEG, grey or colour, baseline or progressive. Taken as sRGB unless the options say linear. An EXIF orientation
+/// other than upright is noted, not applied. nullopt: not this format. Throws Error{kInput}: broken, truncated, too
+/// large, CMYK.
+std::optional<Picture> load_jpeg(ByteReader&, const LoadOptions&, const Run&);
+
+}  // namespace zonal
