@@ -76,25 +76,4 @@ TEST(House, EveryFileIsARoom) {
   EXPECT_GT(files, 100);
 }
 
-TEST(House, KernelsIncludeNothingThatCouldBeCompiledTwice) {
-  // A kernel is compiled for each instruction set: an inline function of a shared header in it could end up in every program
-  // in its strongest form.
-  const std::set<std::string> harmless = {"base/cpu.h", "math/vec.h"};
-  const std::regex include(R"(^#include [<"](.*)[>"].*)");
-  int kernels = 0;
-  for (const fs::path& path : sources({"zonal"})) {
-    if (!path.string().ends_with("_kernel.cpp")) continue;
-    ++kernels;
-    for (const std::string& line : lines_of(path)) {
-      std::smatch match;
-      if (std::regex_match(line, match, include)) {
-        EXPECT_TRUE(match[1].str().starts_with("zonal/") && match[1].str().ends_with("kernel.h") ||
-                    match[1].str().ends_with("kernels.h") || match[1] == "cstdint" || match[1] == "immintrin.h")
-            << path << ": " << line;
-      }
-    }
-  }
-  EXPECT_GE(kernels, 5);
-}
-
 }  // namespace

@@ -25,20 +25,12 @@ bool is_clipped(float value) { return std::abs(value) >= kHalfMax + 16; }  // 16
 
 std::size_t halves_from_floats(std::span<const float> in, std::span<std::uint16_t> out, Isa isa) {
   check(in.size() == out.size(), "halves_from_floats: the spans differ in length");
-#if defined(__x86_64__)
-  if (isa == Isa::kAvx512) return avx512::halves_from_floats(in.data(), out.data(), in.size());
-  if (isa == Isa::kAvx2) return avx2::halves_from_floats(in.data(), out.data(), in.size());
-#endif
-  return baseline::halves_from_floats(in.data(), out.data(), in.size());
+  return half_kernels(isa).halves_from_floats(in.data(), out.data(), in.size());
 }
 
 void floats_from_halves(std::span<const std::uint16_t> in, std::span<float> out, Isa isa) {
   check(in.size() == out.size(), "floats_from_halves: the spans differ in length");
-#if defined(__x86_64__)
-  if (isa == Isa::kAvx512) return avx512::floats_from_halves(in.data(), out.data(), in.size());
-  if (isa == Isa::kAvx2) return avx2::floats_from_halves(in.data(), out.data(), in.size());
-#endif
-  return baseline::floats_from_halves(in.data(), out.data(), in.size());
+  return half_kernels(isa).floats_from_halves(in.data(), out.data(), in.size());
 }
 
 std::size_t rgba_halves_from_rgb(std::span<const Rgb> in, std::span<std::uint16_t> out, Isa isa) {

@@ -15,8 +15,6 @@ constexpr std::uint32_t kQuietNan = 0x7e00;
 // 65520 lies halfway between the largest half and the next power of two: from here on rounding would give infinity.
 constexpr std::uint32_t kFirstOverflow = __builtin_bit_cast(std::uint32_t, 65520.0f);
 
-}  // namespace
-
 // All cases are computed and one is chosen without a branch, so that the loop vectorises.
 std::size_t halves_from_floats(const float* in, std::uint16_t* out, std::size_t count) {
   std::size_t clipped = 0;
@@ -64,5 +62,9 @@ void floats_from_halves(const std::uint16_t* in, float* out, std::size_t count) 
     out[i] = __builtin_bit_cast(float, sign | bits);
   }
 }
+
+}  // namespace
+
+const HalfKernels kHalfKernels = {halves_from_floats, floats_from_halves};
 
 }  // namespace zonal::ZONAL_ISA

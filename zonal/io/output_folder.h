@@ -10,8 +10,9 @@
 
 namespace zonal {
 
-/// Files of one folder that belong together. All are written under temporary names first; commit() gives them their names. Without it
-/// nothing of them stays, nor the folders that were made for them. Throws Error{kOutput} as OutputFile does.
+/// Files of one folder that belong together. All are written under temporary names first; commit() gives them their
+/// names. Without it nothing of them stays, nor the folders that were made for them. Throws Error{kOutput} as
+/// OutputFile does.
 class OutputFolder {
  public:
   explicit OutputFolder(std::filesystem::path folder);

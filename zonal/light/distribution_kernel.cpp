@@ -44,7 +44,6 @@ RowTally tally(const float* row, int floats, float* groups) {
 
 }  // namespace
 
-extern const TallyRow kTallyRow;
 const TallyRow kTallyRow = tally;
 
 }  // namespace zonal::ZONAL_ISA

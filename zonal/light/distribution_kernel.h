@@ -1,6 +1,6 @@
 #pragma once
 
-#include "zonal/base/cpu.h"
+#include "zonal/base/kernel.h"
 
 namespace zonal {
 
@@ -14,6 +14,6 @@ struct RowTally {
 using TallyRow = RowTally (*)(const float* row, int floats, float* groups);
 inline constexpr int kGroupTexels = 16;
 
-TallyRow tally_row(Isa);
+ZONAL_KERNELS(TallyRow, kTallyRow, tally_row);
 
 }  // namespace zonal

@@ -46,8 +46,9 @@ std::vector<double> band_maxima(const Sh<RgbD>& sh) {
 RingReader::RingReader(const Sh<RgbD>& sh, double tolerance, const Run& run, const GridWeight& weight)
     : kernels_(&render_kernels(run.isa)) {
   const std::vector<double> maxima = band_maxima(sh);
-  height_ = next_rows(std::max(16, 2 * sh.bands()));
-  while (interpolation_bound(maxima, height_) > tolerance && height_ < 8 * sh.bands()) height_ = next_rows(1.25 * height_);
+  // The last bands may be finer than the grid where they are too small to matter.
+  height_ = next_rows(0.5 * sh.bands());
+  while (interpolation_bound(maxima, height_) > tolerance && height_ < 8 * sh.bands()) height_ = next_rows(1.2 * height_);
   width_ = 2 * height_;
   error_bound_ = interpolation_bound(maxima, height_);
 

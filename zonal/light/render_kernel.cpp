@@ -41,43 +41,60 @@ inline Vec azimuth(Vec y, Vec x) {
   return y < 0 ? -angle : angle;
 }
 
-/// Lagrange's weights for the points -2..3 at f in [0, 1).
-inline void six_weights(float f, float (&w)[6]) {
-  const float a = f + 2, b = f + 1, c = f, d = f - 1, e = f - 2, g = f - 3;
-  const float ab = a * b, cd = c * d, eg = e * g;
-  w[0] = b * cd * eg * (-1.0f / 120);
-  w[1] = a * cd * eg * (1.0f / 24);
-  w[2] = ab * d * eg * (-1.0f / 12);
-  w[3] = ab * c * eg * (1.0f / 12);
-  w[4] = ab * cd * g * (-1.0f / 24);
-  w[5] = ab * cd * e * (1.0f / 120);
+using Floats = float __attribute__((vector_size(kLanes * sizeof(float))));
+using Ints = int __attribute__((vector_size(kLanes * sizeof(int))));
+using Longs = long long __attribute__((vector_size(kLanes * sizeof(long long))));
+
+/// Where the six texels along one axis begin, and their weights as three pairs of floats packed into 64 bits, for each lane.
+struct Taps {
+  Ints first;
+  Longs pairs[3];
+};
+
+inline Longs packed(Vec low, Vec high) {
+  const Ints l = reinterpret_cast<Ints>(__builtin_convertvector(low, Floats));
+  const Ints h = reinterpret_cast<Ints>(__builtin_convertvector(high, Floats));
+  return (__builtin_convertvector(l, Longs) & 0xffffffffLL) | (__builtin_convertvector(h, Longs) << 32);
 }
 
-inline Texel read(const BorderedGrid& grid, double column, double row) {
-  // Centres are at +1/2; the grid is not left by more than the border for any direction.
-  const double x = column - 0.5, y = row - 0.5;
-  const int left = static_cast<int>(x + 2) - 2, top = static_cast<int>(y + 2) - 2;  // floor, x > -2
-  float wx[6], wy[6];
-  six_weights(static_cast<float>(x - left), wx);
-  six_weights(static_cast<float>(y - top), wy);
-  TexelPair across[3];
-  for (int i = 0; i < 3; ++i) {
-    const float a = wx[2 * i], b = wx[2 * i + 1];
-    across[i] = TexelPair{a, a, a, a, b, b, b, b};
-  }
-  const float* corner = grid.texels + (top + BorderedGrid::kBorder - 2) * grid.row_stride() +
-                        4L * (left + BorderedGrid::kBorder - 2);
+/// Lagrange's polynomial through the texels -2..3 around a point at `position`, in texels with centres at 1/2; first counts from the
+/// border's edge.
+inline Taps taps_at(Vec position) {
+  const Vec shifted = position + (BorderedGrid::kBorder - 0.5);  // never negative
+  const Ints cell = __builtin_convertvector(shifted, Ints);
+  const Vec c = shifted - __builtin_convertvector(cell, Vec);
+  const Vec a = c + 2, b = c + 1, d = c - 1, e = c - 2, g = c - 3;
+  const Vec ab = a * b, cd = c * d, eg = e * g;
+  return {cell - 2,
+          {packed(b * cd * eg * (-1.0 / 120), a * cd * eg * (1.0 / 24)),
+           packed(ab * d * eg * (-1.0 / 12), ab * c * eg * (1.0 / 12)),
+           packed(ab * cd * g * (-1.0 / 24), ab * cd * e * (1.0 / 120))}};
+}
+
+/// (low, low, low, low, high, high, high, high) of two packed floats.
+inline TexelPair spread(long long pair) {
+  using Four = long long __attribute__((vector_size(32)));
+  const TexelPair both = reinterpret_cast<TexelPair>(Four{pair, pair, pair, pair});
+  return __builtin_shufflevector(both, both, 0, 0, 0, 0, 1, 1, 1, 1);
+}
+
+inline Texel read(const BorderedGrid& grid, const Taps& across, const Taps& down, int lane) {
+  const TexelPair columns[3] = {spread(across.pairs[0][lane]), spread(across.pairs[1][lane]), spread(across.pairs[2][lane])};
+  const float* corner = grid.texels + down.first[lane] * grid.row_stride() + 4 * across.first[lane];
   TexelPair sum = {};
   for (int j = 0; j < 6; ++j, corner += grid.row_stride()) {
-    TexelPair row_sum = {};
+    TexelPair row = {};
     for (int i = 0; i < 3; ++i) {
       TexelPair texels;
       __builtin_memcpy(&texels, corner + 8 * i, sizeof texels);
-      row_sum += across[i] * texels;
+      row += columns[i] * texels;
     }
-    sum += wy[j] * row_sum;
+    float weight;
+    const long long pair = down.pairs[j / 2][lane];
+    __builtin_memcpy(&weight, reinterpret_cast<const char*>(&pair) + 4 * (j % 2), sizeof weight);
+    sum += weight * row;
   }
-  return Texel{sum[0] + sum[4], sum[1] + sum[5], sum[2] + sum[6], sum[3] + sum[7]};
+  return __builtin_shufflevector(sum, sum, 0, 1, 2, 3) + __builtin_shufflevector(sum, sum, 4, 5, 6, 7);
 }
 
 void interpolate(const BorderedGrid& grid, const double* x, const double* y, const double* z, int count, float* out,
@@ -94,10 +111,10 @@ void interpolate(const BorderedGrid& grid, const double* x, const double* y, con
     }
     const Vec vx = load(in[0]), vy = load(in[1]), vz = load(in[2]);
     const Vec phi = azimuth(vy, vx), theta = azimuth(square_root(vx * vx + vy * vy), vz);
-    const Vec column = (0.5 - phi * (0.5 / kPi)) * grid.width, row = theta * (1 / kPi) * grid.height;
+    const Taps across = taps_at((0.5 - phi * (0.5 / kPi)) * grid.width), down = taps_at(theta * (1 / kPi) * grid.height);
     for (int k = 0; k < n; ++k) {
-      const Texel texel = read(grid, column[k], row[k]);
-      for (int c = 0; c < 3; ++c) out[3 * (i + k) + c] = texel[c];
+      const Texel texel = read(grid, across, down, k);
+      __builtin_memcpy(out + 3L * (i + k), &texel, 3 * sizeof(float));
       fourth[i + k] = texel[3];
     }
   }
@@ -137,7 +154,6 @@ void add_points(const RationalLobe& lobe, const PointLight* lights, int light_co
 
 }  // namespace
 
-extern const RenderKernels kRenderKernels;
 const RenderKernels kRenderKernels = {interpolate, add_points};
 
 }  // namespace zonal::ZONAL_ISA

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "zonal/base/cpu.h"
+#include "zonal/base/kernel.h"
 
 namespace zonal {
 
@@ -34,6 +34,6 @@ struct RenderKernels {
   void (*add_points)(const RationalLobe& lobe, const PointLight* lights, int light_count, const double* x, const double* y,
                      const double* z, int count, float* out);
 };
-const RenderKernels& render_kernels(Isa);
+ZONAL_KERNELS(RenderKernels, kRenderKernels, render_kernels);
 
 }  // namespace zonal

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "zonal/base/cpu.h"
+#include "zonal/base/kernel.h"
 #include "zonal/math/vec.h"
 
 namespace zonal {
@@ -43,18 +43,6 @@ struct ResampleKernels {
   void (*sum_and_max)(const float* values, int count, float* sum, float* max);
 };
 
-namespace baseline {
-extern const ResampleKernels kResampleKernels;
-}
-#if defined(__x86_64__)
-namespace avx2 {
-extern const ResampleKernels kResampleKernels;
-}
-namespace avx512 {
-extern const ResampleKernels kResampleKernels;
-}
-#endif
-
-const ResampleKernels& resample_kernels(Isa);
+ZONAL_KERNELS(ResampleKernels, kResampleKernels, resample_kernels);
 
 }  // namespace zonal

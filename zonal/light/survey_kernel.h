@@ -1,6 +1,6 @@
 #pragma once
 
-#include "zonal/base/cpu.h"
+#include "zonal/base/kernel.h"
 #include "zonal/math/vec.h"
 
 namespace zonal {
@@ -24,18 +24,6 @@ struct SurveyKernels {
   void (*count_row)(const Rgb* texels, int count, RowCount*);
 };
 
-namespace baseline {
-extern const SurveyKernels kSurveyKernels;
-}
-#if defined(__x86_64__)
-namespace avx2 {
-extern const SurveyKernels kSurveyKernels;
-}
-namespace avx512 {
-extern const SurveyKernels kSurveyKernels;
-}
-#endif
-
-const SurveyKernels& survey_kernels(Isa);
+ZONAL_KERNELS(SurveyKernels, kSurveyKernels, survey_kernels);
 
 }  // namespace zonal

@@ -49,9 +49,12 @@ void require(bool ok, const std::string& message, const std::string& hint) {
 void check_options(const BakeOptions& options, int levels) {
   require(options.size_px >= 1 && options.size_px <= 8192, "the size must be 1 to 8192 pixels", "256 is usual");
   require(levels >= 1 && (options.size_px >> (levels - 1)) >= 1,
-          std::to_string(levels) + " levels do not fit into " + std::to_string(options.size_px) + " pixels", "halve until 1 is reached");
-  require(options.irradiance_px >= 1 && options.irradiance_px <= 8192, "the irradiance map must have 1 to 8192 pixels", "64 is plenty");
-  require(options.bands >= 1 && options.bands <= 1024, "the number of bands must be 1 to 1024", "3 is usual for irradiance");
+          std::to_string(levels) + " levels do not fit into " + std::to_string(options.size_px) + " pixels",
+          "halve until 1 is reached");
+  require(options.irradiance_px >= 1 && options.irradiance_px <= 8192, "the irradiance map must have 1 to 8192 pixels",
+          "64 is plenty");
+  require(options.bands >= 1 && options.bands <= 1024, "the number of bands must be 1 to 1024",
+          "3 is usual for irradiance");
 }
 
 /// The environment and, where only a part of it is shown, its mask, ready for the same lobes.
@@ -64,7 +67,7 @@ class Convolver {
 
   Convolved render(int lobe, ImageSize size, const Run& run) const {
     Convolved result = light_.render(lobe, kCube, size, run);
-    if (mask_) renormalise(result.map, mask_->render(lobe, kCube, size, run).map);
+    if (mask_) renormalise(result, mask_->render(lobe, kCube, size, run));
     return result;
   }
 
@@ -78,8 +81,8 @@ void scale(Environment& map, float factor) {
 }
 
 /// How close irradiance from few bands comes to the exact map.
-ShFit fit_with(int bands, const Sh<RgbD>& radiance, const Environment& exact, const std::vector<double>& solid_angles, double maximum,
-               const Run& run) {
+ShFit fit_with(int bands, const Sh<RgbD>& radiance, const Environment& exact, const std::vector<double>& solid_angles,
+               double maximum, const Run& run) {
   const ImageSize size{exact.radiance.width(), exact.radiance.height()};
   ShFit fit{bands, render(irradiance(with_bands(radiance, bands)), exact.projection, size, run)};
   const Comparison error = compare(fit.irradiance.radiance, exact.radiance, solid_angles);
@@ -99,7 +102,8 @@ std::vector<ShFit> fits_of(const Sh<RgbD>& radiance, const Environment& exact, c
     }
   }
   std::vector<ShFit> fits;
-  for (int bands = 1; bands <= kMostFits; ++bands) fits.push_back(fit_with(bands, radiance, exact, solid_angles, maximum, run));
+  for (int bands = 1; bands <= kMostFits; ++bands)
+    fits.push_back(fit_with(bands, radiance, exact, solid_angles, maximum, run));
   return fits;
 }
 
@@ -116,7 +120,8 @@ Image<Rgb> multiscatter_from_standard(Image<Rgb> table) {
   return table;
 }
 
-Bake bake(const Environment& environment, const Environment* shown, const BakeOptions& options, bool verified, const Run& run) {
+Bake bake(const Environment& environment, const Environment* shown, const BakeOptions& options, bool verified,
+          const Run& run) {
   const int levels = options.levels > 0 ? options.levels : default_levels(options.size_px);
   check_options(options, levels);
   Bake result;
@@ -162,6 +167,11 @@ Bake bake(const Environment& environment, const Environment* shown, const BakeOp
   watch.done("irradiance");
 
   result.radiance = project(environment, std::max(options.bands, kMostFits), run);
+  if (shown) {
+    // What is left out is like the mean of the rest, for the coefficients as a whole.
+    const double share = project(*shown, 1, run)(0, 0).r / std::sqrt(4 * kPi);
+    if (share > 0) result.radiance *= 1 / share;
+  }
   result.fits = fits_of(result.radiance, result.irradiance, run);
   result.radiance = with_bands(result.radiance, options.bands);
   watch.done("spherical harmonics");
@@ -180,9 +190,8 @@ Bake bake(const Environment& environment, const Environment* shown, const BakeOp
       if (lobe_of_level[i] == 0) continue;
       level.verified = verify(environment, lobes[lobe_of_level[i]], level.map, level.report, {.bounded = bounded}, run);
     }
-    ConvolveReport per_radiance = convolved.report;
     result.irradiance_verified =
-        verify(environment, lobes[0], result.irradiance, per_radiance, {.factor = kPi, .bounded = bounded}, run);
+        verify(environment, lobes[0], result.irradiance, convolved.report, {.factor = kPi, .bounded = bounded}, run);
     watch.done("verification");
   }
   return result;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -30,7 +29,7 @@ int default_levels(int size_px);
 
 /// All the light of one environment, ready for a renderer. Every map is a cube stack in the memory frame.
 struct Bake {
-  Environment panorama;  ///< a small equirectangular copy, to look at
+  Environment panorama;           ///< a small equirectangular copy, to look at
   std::vector<ChainLevel> chain;  ///< level 0: the environment, not convolved
 
   Environment irradiance;  ///< E, not divided by pi
@@ -46,10 +45,10 @@ struct Bake {
   std::vector<Timing> timings;
 };
 
-/// Fills a Bake. `shown` (or null) is a map of the environment's projection and size, 1 where it is known and 0 where it is not: the
-/// rest is left out of every mean (light/partial.h). With `verify`, every convolved map is compared with the brute-force sum at 64
-/// texels, and a difference beyond the stated bound throws std::logic_error.
-/// Throws Error{kUsage} for options outside their domain, Error{kInput} for values that are not finite, Error{kCancelled}.
+/// Fills a Bake. `shown` (or null) is a map of the environment's projection and size, 1 where it is known and 0 where
+/// it is not: the rest is left out of every mean (light/partial.h). With `verify`, every convolved map is compared with
+/// the brute-force sum at 64 texels, and a difference beyond the stated bound throws std::logic_error. Throws
+/// Error{kUsage} for options outside their domain, Error{kInput} for values that are not finite, Error{kCancelled}.
 Bake bake(const Environment&, const Environment* shown, const BakeOptions&, bool verify, const Run& = {});
 
 /// (bias, scale + bias, charlie): DfgVariant::kMultiscatter from the standard table.

@@ -11,23 +11,32 @@ namespace {
 
 std::string words_of(LobeKind lobe) {
   switch (lobe) {
-    case LobeKind::kGgx: return "GGX";
-    case LobeKind::kCharlie: return "Charlie";
-    case LobeKind::kPhong: return "Phong";
-    case LobeKind::kBlinnPhong: return "Blinn-Phong";
-    default: return std::string(name_of(lobe));
+    case LobeKind::kGgx:
+      return "GGX";
+    case LobeKind::kCharlie:
+      return "Charlie";
+    case LobeKind::kPhong:
+      return "Phong";
+    case LobeKind::kBlinnPhong:
+      return "Blinn-Phong";
+    default:
+      return std::string(name_of(lobe));
   }
 }
 
-std::vector<Fact> settings_of(const Bake& bake, const BakeOptions& options, const BakeFileOptions& files, const BakeOrigin& origin) {
+std::vector<Fact> settings_of(const Bake& bake, const BakeOptions& options, const BakeFileOptions& files,
+                              const BakeOrigin& origin) {
   std::string command;
   for (const std::string& word : origin.command) command += (command.empty() ? "" : " ") + word;
   std::string storage = std::string(name_of(files.format));
-  if (files.format == MapFormat::kKtx2) storage += files.float32 ? ", 32-bit floats" : ", 16-bit floats";
-  else storage += ", " + std::string(name_of(files.layout));
+  if (files.format == MapFormat::kKtx2)
+    storage += files.float32 ? ", 32-bit floats" : ", 16-bit floats";
+  else
+    storage += ", " + std::string(name_of(files.layout));
   return {{"command", command},
           {"input hash", origin.input.hash},
-          {"projection", fmt::format("{} ({})", name_of(origin.input.environment.projection.layout), origin.input.projection_reason)},
+          {"projection",
+           fmt::format("{} ({})", name_of(origin.input.environment.projection.layout), origin.input.projection_reason)},
           {"chain", fmt::format("{} px, {} levels, {}", options.size_px, bake.chain.size(), words_of(options.lobe))},
           {"roughness of the levels", std::string(name_of(options.roughness_map))},
           {"irradiance map", fmt::format("{} px, E (not divided by π)", options.irradiance_px)},
@@ -52,11 +61,16 @@ std::string shuffle_of(const Rotation& matrix) {
 std::string lod_of(RoughnessMap map, std::size_t levels) {
   const std::size_t last = levels - 1;
   switch (map) {
-    case RoughnessMap::kLinear: return fmt::format("{}.0 * roughness", last);
-    case RoughnessMap::kFilament: return fmt::format("{}.0 * roughness * (2.0 - roughness)", last);
-    case RoughnessMap::kUnity: return fmt::format("{}.0 * roughness * (1.7 - 0.7 * roughness)", last);
-    case RoughnessMap::kUnreal: return fmt::format("{}.0 + 1.2 * log2(roughness)", last);
-    case RoughnessMap::kBabylon: break;
+    case RoughnessMap::kLinear:
+      return fmt::format("{}.0 * roughness", last);
+    case RoughnessMap::kFilament:
+      return fmt::format("{}.0 * roughness * (2.0 - roughness)", last);
+    case RoughnessMap::kUnity:
+      return fmt::format("{}.0 * roughness * (1.7 - 0.7 * roughness)", last);
+    case RoughnessMap::kUnreal:
+      return fmt::format("{}.0 + 1.2 * log2(roughness)", last);
+    case RoughnessMap::kBabylon:
+      break;
   }
   return fmt::format("0.8 * ({}.0 + 2.0 * log2(roughness))", last);
 }
@@ -64,7 +78,8 @@ std::string lod_of(RoughnessMap map, std::size_t levels) {
 std::vector<Snippet> snippets_of(const Bake& bake, const BakeOptions& options, const BakeFileOptions& files) {
   constexpr Rotation kSamplerFromWorld = {{Vec3{0, -1, 0}, Vec3{0, 0, 1}, Vec3{1, 0, 0}}};
   const Rotation lookup = files.engine ? files.engine->cube_from_engine : kSamplerFromWorld;
-  const std::string axes = files.engine ? "the world axes of " + std::string(files.engine->name) : "+Z up, +X the panorama's centre";
+  const std::string axes =
+      files.engine ? "the world axes of " + std::string(files.engine->name) : "+Z up, +X the panorama's centre";
   std::string code = fmt::format(
       "// n: normal, v: toward the eye; unit vectors, {}.\n"
       "vec3 cube(vec3 d) {{ return {}; }}\n\n"
@@ -79,12 +94,13 @@ std::vector<Snippet> snippets_of(const Bake& bake, const BakeOptions& options, c
 
 }  // namespace
 
-BakePage page_of(Bake&& bake, const Survey& survey, const BakeOptions& options, const BakeFileOptions& files, const BakeOrigin& origin,
-                 const std::vector<BakedFile>& written) {
+BakePage page_of(Bake&& bake, const Survey& survey, const BakeOptions& options, const BakeFileOptions& files,
+                 const BakeOrigin& origin, const std::vector<BakedFile>& written) {
   BakePage page;
   page.title = origin.name;
-  page.subtitle = fmt::format("{}, {} × {}, {} ({})", origin.input.format, origin.input_size.width, origin.input_size.height,
-                              name_of(origin.input.environment.projection.layout), origin.input.projection_reason);
+  page.subtitle =
+      fmt::format("{}, {} × {}, {} ({})", origin.input.format, origin.input_size.width, origin.input_size.height,
+                  name_of(origin.input.environment.projection.layout), origin.input.projection_reason);
   page.settings = settings_of(bake, options, files, origin);
   page.loading = snippets_of(bake, options, files);
   page.panorama = std::move(bake.panorama);

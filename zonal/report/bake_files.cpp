@@ -12,8 +12,8 @@
 #include "zonal/io/ktx2.h"
 #include "zonal/io/ktx2_check.h"
 #include "zonal/io/picture_writer.h"
-#include "zonal/io/shader.h"
 #include "zonal/io/sh_json.h"
+#include "zonal/io/shader.h"
 #include "zonal/light/rearrange.h"
 #include "zonal/report/text.h"
 #include "zonal/sh/sh.h"
@@ -22,7 +22,7 @@
 namespace zonal {
 namespace {
 
-constexpr int kMostShaderBands = 6;  // shader_text() takes no more
+constexpr int kMostShaderBands = 6;                                                      // shader_text() takes no more
 constexpr std::array<std::string_view, 4> kFormatNames = {"ktx2", "exr", "hdr", "png"};  // in the order of MapFormat
 
 /// A map of one name, with all its levels.
@@ -46,15 +46,15 @@ class BakeWriter {
       for (const Environment* level : chain.levels) texture.levels.push_back(turned_cube(*level, Layout::kCubeStack));
       Ktx2Metadata metadata = chain.metadata;
       metadata.emplace_back("zonal:frame", frame_);
-      ktx2(chain.name, chain.what, texture, options_.float32 ? TexelFormat::kRgba32f : TexelFormat::kRgba16f, std::move(metadata),
-           chain.error_bound);
+      ktx2(chain.name, chain.what, texture, options_.float32 ? TexelFormat::kRgba32f : TexelFormat::kRgba16f,
+           std::move(metadata), chain.error_bound);
       return;
     }
     for (std::size_t i = 0; i < chain.levels.size(); ++i) {
       const std::string number = chain.levels.size() > 1 ? fmt::format("_{}", i) : "";
       const std::string what = chain.levels.size() > 1 ? fmt::format("{}, level {}", chain.what, i) : chain.what;
-      picture(chain.name + number + "." + std::string(name_of(options_.format)), what, turned_cube(*chain.levels[i], options_.layout),
-              {}, chain.error_bound);
+      picture(chain.name + number + "." + std::string(name_of(options_.format)), what,
+              turned_cube(*chain.levels[i], options_.layout), {}, chain.error_bound);
     }
   }
 
@@ -87,9 +87,10 @@ class BakeWriter {
     return std::move(turned->radiance);
   }
 
-  void ktx2(const std::string& name, const std::string& what, const TextureChain& texture, TexelFormat format, Ktx2Metadata metadata,
-            double error_bound) {
-    const Ktx2File encoded = encode_ktx2(texture, {.format = format, .writer = options_.writer, .metadata = std::move(metadata)});
+  void ktx2(const std::string& name, const std::string& what, const TextureChain& texture, TexelFormat format,
+            Ktx2Metadata metadata, double error_bound) {
+    const Ktx2File encoded =
+        encode_ktx2(texture, {.format = format, .writer = options_.writer, .metadata = std::move(metadata)});
     const std::vector<Ktx2Problem> problems = check_ktx2(encoded.bytes);
     check(problems.empty(), problems.empty() ? "" : problems.front().text.c_str());
     BakedFile file{{name + ".ktx2", what, encoded.bytes.size()}, {}, error_bound, {}};
@@ -98,8 +99,10 @@ class BakeWriter {
     file.hash = hash.text();
     folder_.add(file.file.name, encoded.bytes);
     if (encoded.clipped_texels > 0) {
-      file.warning = fmt::format("{}: {} texels are brighter than {:.0f}, the largest 16-bit float, and were clipped to it; --float32 or "
-                                 "--format exr keeps them", file.file.name, encoded.clipped_texels, kHalfMax);
+      file.warning = fmt::format(
+          "{}: {} texels are brighter than {:.0f}, the largest 16-bit float, and were clipped to it; --float32 or "
+          "--format exr keeps them",
+          file.file.name, encoded.clipped_texels, kHalfMax);
     }
     files_.push_back(std::move(file));
   }
@@ -114,8 +117,9 @@ class BakeWriter {
     add_file(hash, out.temporary_path());
     file.hash = hash.text();
     if (report.clipped_pixels > 0) {
-      file.warning = fmt::format("{}: {} pixels are outside what the format holds and were clipped; --format exr keeps them", name,
-                                 report.clipped_pixels);
+      file.warning =
+          fmt::format("{}: {} pixels are outside what the format holds and were clipped; --format exr keeps them", name,
+                      report.clipped_pixels);
     }
     files_.push_back(std::move(file));
   }
@@ -151,13 +155,15 @@ void write_sh(const Bake& bake, const EngineConvention* engine, BakeWriter& writ
   if (engine) {
     const int most = engine->sh.max_bands > 0 ? engine->sh.max_bands : shader_bands;
     const int engine_bands = std::min(shader_bands, most);
-    writer.text(fmt::format("sh.{}.json", engine->name), plural(engine_bands, "band") + " as " + std::string(engine->name) + " takes them",
+    writer.text(fmt::format("sh.{}.json", engine->name),
+                plural(engine_bands, "band") + " as " + std::string(engine->name) + " takes them",
                 engine_sh_json({ShQuantity::kRadiance, with_bands(bake.radiance, engine_bands)}, *engine));
     few.coefficients = transformed(few.coefficients, engine->engine_from_world);
   }
   ShaderOptions options;
   if (engine) options.frame = "the world axes of " + std::string(engine->name);
-  writer.text("sh.glsl", "irradiance from " + plural(shader_bands, "band") + ", a GLSL function", shader_text(few, options));
+  writer.text("sh.glsl", "irradiance from " + plural(shader_bands, "band") + ", a GLSL function",
+              shader_text(few, options));
 }
 
 }  // namespace
@@ -180,15 +186,22 @@ std::vector<BakedFile> write_bake(const Bake& bake, const BakeOptions& options, 
                                   OutputFolder& folder) {
   BakeWriter writer(file_options, folder);
   const int size = options.size_px;
-  writer.cubes({"environment", fmt::format("radiance, cube {}", size), {&bake.chain[0].map}, -1, {{"zonal:quantity", "radiance"}}});
+  writer.cubes({"environment",
+                fmt::format("radiance, cube {}", size),
+                {&bake.chain[0].map},
+                -1,
+                {{"zonal:quantity", "radiance"}}});
   writer.cubes({"irradiance",
                 fmt::format("irradiance E, cube {}", options.irradiance_px),
                 {&bake.irradiance},
                 bake.irradiance_report.bound_to_mean,
                 {{"zonal:quantity", "irradiance"}}});
 
-  CubeChain specular{"specular", fmt::format("{} chain, cube {}, {}", name_of(options.lobe), size,
-                                             plural(static_cast<int>(bake.chain.size()), "level")), {}, -1,
+  CubeChain specular{"specular",
+                     fmt::format("{} chain, cube {}, {}", name_of(options.lobe), size,
+                                 plural(static_cast<int>(bake.chain.size()), "level")),
+                     {},
+                     -1,
                      {{"zonal:quantity", "radiance"}, {"zonal:lobe", std::string(name_of(options.lobe))}}};
   std::string roughnesses;
   for (const ChainLevel& level : bake.chain) {

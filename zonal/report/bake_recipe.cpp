@@ -47,6 +47,7 @@ JsonValue settings_json(const Bake& bake, const BakeOptions& options, const Bake
 JsonValue::Object report_json(const ConvolveReport& report, const std::optional<Verification>& verified) {
   JsonValue::Object fields = {{"bands", report.bands},
                               {"points", report.points},
+                              {"widened_deg", report.widened_deg},
                               {"error_bound", report.error_bound},
                               {"bound_to_mean", report.bound_to_mean},
                               {"bound_to_peak", report.bound_to_peak},
@@ -61,14 +62,16 @@ JsonValue::Object report_json(const ConvolveReport& report, const std::optional<
 
 JsonValue maps_json(const Bake& bake) {
   JsonValue::Array maps;
-  const auto add = [&](JsonValue::Object fields, const ConvolveReport& report, const std::optional<Verification>& verified) {
+  const auto add = [&](JsonValue::Object fields, const ConvolveReport& report,
+                       const std::optional<Verification>& verified) {
     for (auto& field : report_json(report, verified)) fields.push_back(std::move(field));
     maps.push_back(std::move(fields));
   };
   add({{"map", "irradiance"}}, bake.irradiance_report, bake.irradiance_verified);
   for (std::size_t i = 1; i < bake.chain.size(); ++i) {
     const ChainLevel& level = bake.chain[i];
-    add({{"map", "specular"}, {"level", i}, {"roughness", level.roughness}, {"alpha", level.alpha}}, level.report, level.verified);
+    add({{"map", "specular"}, {"level", i}, {"roughness", level.roughness}, {"alpha", level.alpha}}, level.report,
+        level.verified);
   }
   return maps;
 }
@@ -76,7 +79,8 @@ JsonValue maps_json(const Bake& bake) {
 JsonValue fits_json(const std::vector<ShFit>& fits) {
   JsonValue::Array list;
   for (const ShFit& fit : fits) {
-    list.push_back(JsonValue::Object{{"bands", fit.bands}, {"rms_to_maximum", fit.rms}, {"worst_to_maximum", fit.worst}});
+    list.push_back(
+        JsonValue::Object{{"bands", fit.bands}, {"rms_to_maximum", fit.rms}, {"worst_to_maximum", fit.worst}});
   }
   return list;
 }
@@ -91,8 +95,9 @@ JsonValue results_json(const std::vector<BakedFile>& files) {
 
 }  // namespace
 
-std::string bake_recipe_json(const Bake& bake, const Survey& survey, const BakeOptions& options, const BakeFileOptions& file_options,
-                             const BakeOrigin& origin, const std::vector<BakedFile>& files) {
+std::string bake_recipe_json(const Bake& bake, const Survey& survey, const BakeOptions& options,
+                             const BakeFileOptions& file_options, const BakeOrigin& origin,
+                             const std::vector<BakedFile>& files) {
   std::vector<std::string> warnings;
   for (const auto& [what, detail] : warnings_of(survey)) warnings.push_back(what + " " + detail);
   warnings.insert(warnings.end(), origin.warnings.begin(), origin.warnings.end());

@@ -26,6 +26,7 @@ std::string bake_recipe_json(const Bake&, const Survey&, const BakeOptions&, con
                              const std::vector<BakedFile>&);
 
 /// What index.html shows. Takes the maps out of the bake.
-BakePage page_of(Bake&&, const Survey&, const BakeOptions&, const BakeFileOptions&, const BakeOrigin&, const std::vector<BakedFile>&);
+BakePage page_of(Bake&&, const Survey&, const BakeOptions&, const BakeFileOptions&, const BakeOrigin&,
+                 const std::vector<BakedFile>&);
 
 }  // namespace zonal

@@ -21,7 +21,8 @@ std::vector<Texel> drawn_texels(const Mapping& mapping, int count) {
   std::mt19937 random(kSeed);  // its numbers are standardised, those of the distributions are not
   std::vector<Texel> texels;
   while (static_cast<int>(texels.size()) < count) {
-    const auto index = random() % (static_cast<std::mt19937::result_type>(width) * static_cast<std::mt19937::result_type>(height));
+    const auto index =
+        random() % (static_cast<std::mt19937::result_type>(width) * static_cast<std::mt19937::result_type>(height));
     const Texel texel = {static_cast<int>(index) % width, static_cast<int>(index) / width};
     if (mapping.direction(center_of(texel))) texels.push_back(texel);
   }
@@ -30,8 +31,8 @@ std::vector<Texel> drawn_texels(const Mapping& mapping, int count) {
 
 }  // namespace
 
-Verification verify(const Environment& environment, const Lobe& lobe, const Environment& map, const ConvolveReport& report,
-                    const VerifyOptions& options, const Run& run) {
+Verification verify(const Environment& environment, const Lobe& lobe, const Environment& map,
+                    const ConvolveReport& report, const VerifyOptions& options, const Run& run) {
   check(options.directions > 0, "nothing to verify");
   const Mapping mapping(map.projection, {map.radiance.width(), map.radiance.height()});
   const std::vector<Texel> texels = drawn_texels(mapping, options.directions);
@@ -50,8 +51,9 @@ Verification verify(const Environment& environment, const Lobe& lobe, const Envi
       // Texels are floats, and sums of many: a few roundings of the value come on top of the bound.
       const double allowed = options.factor * report.error_bound + 1e-5 * std::abs(value);
       if (options.bounded && difference > allowed) {
-        throw std::logic_error(fmt::format("a map is wrong by {:.3g} at texel ({}, {}), more than its stated error bound {:.3g}",
-                                           difference, texels[i].x, texels[i].y, allowed));
+        throw std::logic_error(
+            fmt::format("a map is wrong by {:.3g} at texel ({}, {}), more than its stated error bound {:.3g}",
+                        difference, texels[i].x, texels[i].y, allowed));
       }
       const double scale = std::max(std::abs(value), floor);
       const double relative = difference > 0 ? difference / scale : 0;

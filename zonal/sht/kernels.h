@@ -1,6 +1,6 @@
 #pragma once
 
-#include "zonal/base/cpu.h"
+#include "zonal/base/kernel.h"
 
 /// The inner loops of the transform. Each *_kernel.cpp is compiled once per instruction set; SIMD lanes hold different ring
 /// pairs (a ring and its mirror image below the equator), so nothing is shuffled. Arrays of doubles whose shape ends in
@@ -37,7 +37,7 @@ struct RingKernels {
   void (*pack)(const double* spectrum, long spectrum_stride, int channel, int bands, const double* phases, int width,
                double* values);
 };
-const RingKernels& ring_kernels(Isa);
+ZONAL_KERNELS(RingKernels, kRingKernels, ring_kernels);
 
 /// The few lowest sums of a pair of rows at the speed of reading them, for 3 or 6 bands. sums is [row][entry][channel]: entry 0 is Σ f,
 /// entries 2m-1 and 2m are Re and Im of Σ f exp(-2πi m x / width), width a multiple of 4. Rows hold interleaved RGB; south may be null.
@@ -48,7 +48,7 @@ struct MomentKernels {
   void (*three)(const float* north, const float* south, int width, const float* table, double* sums);
   void (*six)(const float* north, const float* south, int width, const float* table, double* sums);
 };
-const MomentKernels& moment_kernels(Isa);
+ZONAL_KERNELS(MomentKernels, kMomentKernels, moment_kernels);
 
 /// The associated Legendre functions of one m by their three-term recurrence q_l = step_l x q_{l-1} - q_{l-2}, where
 /// sqrt(2 - δ_m0) K_lm P_lm(x) = scale_l q_l.
@@ -70,6 +70,6 @@ struct LegendreKernels {
   void (*synthesize)(const LegendreColumn& column, int blocks, const double* x, const double* sine,
                      const double* coefficients, double* spectrum);
 };
-const LegendreKernels& legendre_kernels(Isa);
+ZONAL_KERNELS(LegendreKernels, kLegendreKernels, legendre_kernels);
 
 }  // namespace zonal

@@ -216,7 +216,6 @@ void synthesize(const LegendreColumn& column, int blocks, const double* x, const
 
 }  // namespace
 
-extern const LegendreKernels kLegendreKernels;
 const LegendreKernels kLegendreKernels = {kLanes, analyze, synthesize};
 
 }  // namespace zonal::ZONAL_ISA

@@ -110,7 +110,6 @@ void row_moments(const float* north, const float* south, int width, const float*
 
 }  // namespace
 
-extern const MomentKernels kMomentKernels;
 const MomentKernels kMomentKernels = {kLanes, row_moments<3>, row_moments<6>};
 
 }  // namespace zonal::ZONAL_ISA

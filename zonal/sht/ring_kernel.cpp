@@ -226,7 +226,6 @@ void pack(const double* spectrum, long spectrum_stride, int channel, int bands, 
 
 }  // namespace
 
-extern const RingKernels kRingKernels;
 const RingKernels kRingKernels = {kLanes,       fft,           multiply, load<float>, load<double>,
                                   store<float>, store<double>, unpack,   pack};
 

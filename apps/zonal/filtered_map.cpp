@@ -1,0 +1,38 @@
+#include "apps/zonal/filtered_map.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "zonal/light/partial.h"
+
+namespace zonal {
+
+Convolved filtered_map(const InputOptions& options, const Lobe& lobe, const Projection& to, ImageSize size,
+                       Session& session) {
+  Input input = read_input(options, session);
+  const WholeLight light = whole_light(input, options, session);
+  const int rows = panorama_rows(light.environment.projection,
+                                 {light.environment.radiance.width(), light.environment.radiance.height()});
+  // Twice the rows: what is finer than half a texel is not in the map. Small maps get some more, which costs little.
+  const ConvolveOptions convolving{.max_bands = std::clamp(2 * rows, 512, ConvolveOptions{}.max_bands)};
+  Convolved result = convolve(light.environment, lobe, to, size, convolving, session.run);
+  if (light.shown) renormalise(result, convolve(*light.shown, lobe, to, size, convolving, session.run));
+  const ConvolveReport& report = result.report;
+  session.console.field("bands", report.bands);
+  session.console.field("points", report.points);
+  if (report.widened_deg > 0) {
+    session.console.note(fmt::format("the lobe is too sharp for {} bands: it was widened by {:.2g} degrees",
+                                     report.bands, report.widened_deg));
+  }
+  session.console.field("widened_deg", report.widened_deg);
+  session.console.field("bound_to_mean", report.bound_to_mean);
+  session.console.field("bound_to_peak", report.bound_to_peak);
+  return result;
+}
+
+ImageSize target_size(const OutputOptions& options, const Projection& to, int fallback_px) {
+  return image_size(to.layout, options.size_px > 0 ? options.size_px : fallback_px);
+}
+
+}  // namespace zonal

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "zonal/sphere/projection.h"
+
+namespace zonal {
+
+/// A layout by its name, or "cube" for a stack of six faces.
+std::optional<Layout> layout_or_alias(std::string_view name);
+/// All of them, for messages.
+std::string layout_names();
+bool is_cube(Layout);
+
+}  // namespace zonal

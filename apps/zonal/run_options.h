@@ -1,0 +1,14 @@
+#pragma once
+
+#include "apps/zonal/session.h"
+
+namespace CLI {
+class App;
+}
+
+namespace zonal {
+
+/// --threads, --isa, --quiet, --json: every verb has them.
+void add_run_options(CLI::App&, Session&);
+
+}  // namespace zonal

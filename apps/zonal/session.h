@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/zonal/console.h"
+#include "zonal/base/run.h"
+
+namespace zonal {
+
+/// One call of the command.
+struct Session {
+  Console console;
+  Run run;                           ///< how long verbs run: threads, stop on interrupt, progress
+  std::vector<std::string> command;  ///< the words that were typed, without the program
+  int exit_code = 0;                 ///< of a verb that succeeded
+};
+
+inline constexpr const char* kProgram = "zonal " ZONAL_VERSION;
+
+}  // namespace zonal
