@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "zonal/light/partial.h"
 
 namespace zonal {
@@ -12,12 +10,8 @@ Convolved filtered_map(const InputOptions& options, const Lobe& lobe, const Proj
                        Session& session) {
   Input input = read_input(options, session);
   const WholeLight light = whole_light(input, options, session);
-  const int rows = panorama_rows(light.environment.projection,
-                                 {light.environment.radiance.width(), light.environment.radiance.height()});
-  // Twice the rows: what is finer than half a texel is not in the map. Small maps get some more, which costs little.
-  const ConvolveOptions convolving{.max_bands = std::clamp(2 * rows, 512, ConvolveOptions{}.max_bands)};
-  Convolved result = convolve(light.environment, lobe, to, size, convolving, session.run);
-  if (light.shown) renormalise(result, convolve(*light.shown, lobe, to, size, convolving, session.run));
+  Convolved result = convolve(light.environment, lobe, to, size, {}, session.run);
+  if (light.shown) renormalise(result, convolve(*light.shown, lobe, to, size, {}, session.run));
   const ConvolveReport& report = result.report;
   session.console.field("bands", report.bands);
   session.console.field("points", report.points);

@@ -5,6 +5,7 @@
 
 #include "apps/zonal/console.h"
 #include "zonal/base/run.h"
+#include "zonal/base/version.h"
 
 namespace zonal {
 
@@ -15,7 +16,5 @@ struct Session {
   std::vector<std::string> command;  ///< the words that were typed, without the program
   int exit_code = 0;                 ///< of a verb that succeeded
 };
-
-inline constexpr const char* kProgram = "zonal " ZONAL_VERSION;
 
 }  // namespace zonal

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <string_view>
-
 namespace zonal {
 
-/// The version of library and programs; CMake reads it from this line.
-inline constexpr std::string_view kVersion = "0.1.0";
+/// The program and its version, as files name their writer. CMake reads the number from this line.
+inline constexpr const char* kProgram = "zonal 0.1.0";
 
 }  // namespace zonal

@@ -140,9 +140,10 @@ Convolution::Convolution(const Environment& environment, std::span<const Lobe> l
     state->points.push_back({toward.x, toward.y, toward.z, light.r, light.g, light.b});
   }
 
+  const int most_bands = std::min(options.max_bands, std::max(512, 2 * grid.height));
   int bands_of_rest = 0, bands_of_whole = 0;
   for (const Lobe& lobe : lobes) {
-    const Plan& plan = state->plans.emplace_back(plan_for(lobe, distribution, options.tolerance, options.max_bands));
+    const Plan& plan = state->plans.emplace_back(plan_for(lobe, distribution, options.tolerance, most_bands));
     int& bands = plan.widening > 0 ? bands_of_whole : bands_of_rest;
     bands = std::max(bands, plan.bands());
   }

@@ -15,9 +15,10 @@ namespace zonal {
 struct ConvolveOptions {
   /// The error bound to aim for, relative to the map's mean brightness.
   double tolerance = 1e-3;
-  /// Bands are taken as the lobe's tail asks for them, up to this many. A lobe too sharp for them is widened by what they resolve
-  /// (0.09 degrees for 4096 bands, less than a texel of most maps), and the report says so.
-  int max_bands = 4096;
+  /// Bands are taken as the lobe's tail asks for them, up to this many and up to twice the rows of the map (but 512), for what is finer
+  /// than half a texel is not in it. A lobe too sharp for them is widened by what they resolve (0.18 degrees for 2048 bands, a texel of a
+  /// map of as many columns), and the report says so.
+  int max_bands = 2048;
   /// At most this many texels (a sun's, a lamp's) are convolved exactly one by one instead of with the bands.
   int max_points = 256;
 };

@@ -31,6 +31,10 @@ double interpolation_bound(const std::vector<double>& maxima, int height) {
 /// Rows in steps of 16: lengths of the rings then are products of small factors.
 int next_rows(double rows) { return static_cast<int>(std::ceil(rows / 16)) * 16; }
 
+/// Eight rows a band, as long as the grid's memory (28 bytes a texel) stays near that of the map the bands came from; many bands hold so little in the
+/// last of them that one and a half are enough.
+int most_rows(int bands) { return next_rows(std::max(1.5 * bands, std::min(8.0 * bands, 2048.0))); }
+
 }  // namespace
 
 std::vector<double> band_maxima(const Sh<RgbD>& sh) {
@@ -48,7 +52,8 @@ RingReader::RingReader(const Sh<RgbD>& sh, double tolerance, const Run& run, con
   const std::vector<double> maxima = band_maxima(sh);
   // The last bands may be finer than the grid where they are too small to matter.
   height_ = next_rows(0.5 * sh.bands());
-  while (interpolation_bound(maxima, height_) > tolerance && height_ < 8 * sh.bands()) height_ = next_rows(1.2 * height_);
+  const int most = most_rows(sh.bands());
+  while (interpolation_bound(maxima, height_) > tolerance && height_ < most) height_ = std::min(most, next_rows(1.2 * height_));
   width_ = 2 * height_;
   error_bound_ = interpolation_bound(maxima, height_);
 

@@ -25,8 +25,8 @@ struct GridWeight {
 /// texels stays below a stated error.
 class RingReader {
  public:
-  /// `tolerance` is what the interpolation may be wrong by at most, in the function's unit; the grid grows until it is met
-  /// or has eight rows a band.
+  /// `tolerance` is what the interpolation may be wrong by at most, in the function's unit; the grid grows until it is met, within
+  /// limits of memory (at 2048 bands half a gigabyte).
   /// `weight` is a second function, grey and as smooth, that is read along with the first.
   RingReader(const Sh<RgbD>&, double tolerance, const Run&, const GridWeight& weight = {});
 

@@ -49,7 +49,7 @@ TEST(RingReader, StaysWithinItsStatedError) {
   std::mt19937_64 random(2);
   std::normal_distribution<double> normal;
   const Sh<RgbD> sh = random_coefficients(40);
-  for (const double tolerance : {1e-1, 1e-3, 1e-4}) {
+  for (const double tolerance : {1e-1, 1e-2, 1e-3}) {
     const RingReader reader(sh, tolerance, {});
     EXPECT_LE(reader.error_bound(), tolerance);
     double worst = 0;

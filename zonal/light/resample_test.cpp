@@ -138,7 +138,7 @@ TEST(SlowResample, LinearSkyThroughEveryPair) {
   EXPECT_EQ(pairs, 64);
 }
 
-TEST(Resample, LinearSkyErrsWithTheSquareOfTheTexel) {
+TEST(SlowResample, LinearSkyErrsWithTheSquareOfTheTexel) {
   int pairs = 0;
   for (const Layout from : kFullSphere) {
     for (const Layout to : {Layout::kEquirect, Layout::kCubeStack, Layout::kOctahedral, Layout::kAngular}) {
@@ -153,7 +153,7 @@ TEST(Resample, LinearSkyErrsWithTheSquareOfTheTexel) {
   EXPECT_EQ(pairs, 44);
 }
 
-TEST(Resample, EnergyIsKept) {
+TEST(SlowResample, EnergyIsKept) {
   int pairs = 0;
   for (const Layout from : kFullSphere) {
     Environment e = noise({from}, image_size(from, 96));
@@ -168,7 +168,7 @@ TEST(Resample, EnergyIsKept) {
   EXPECT_EQ(pairs, 144);
 }
 
-TEST(Resample, AOneTexelSunKeepsItsEnergy) {
+TEST(SlowResample, AOneTexelSunKeepsItsEnergy) {
   std::mt19937 random(4);
   int compared = 0;
   for (const Layout from : kFullSphere) {

@@ -47,7 +47,7 @@ TEST(Synthetic, FurnaceAndGradient) {
   EXPECT_GT(compared, 5000);
 }
 
-TEST(Synthetic, TheSunsEnergyIsExactAtAnySize) {
+TEST(SlowSynthetic, TheSunsEnergyIsExactAtAnySize) {
   int compared = 0;
   for (const Layout layout : kSome) {
     for (const int size : {8, 32, 200}) {

@@ -77,8 +77,8 @@ std::string sun_section(const Survey& survey) {
   if (!survey.sun) return html_paragraph("Nothing compact stands out like a sun or a lamp.");
   const SunEstimate& sun = *survey.sun;
   return html_facts(
-             {{"azimuth, from +X toward +Y", number(degrees(std::atan2(sun.toward_sun.y, sun.toward_sun.x)), 4) + "°"},
-              {"elevation", number(degrees(std::asin(std::clamp(sun.toward_sun.z, -1.0, 1.0))), 4) + "°"},
+             {{"azimuth, from +X toward +Y", angle(std::atan2(sun.toward_sun.y, sun.toward_sun.x))},
+              {"elevation", angle(std::asin(std::clamp(sun.toward_sun.z, -1.0, 1.0)))},
               {"diameter", number(sun.diameter_deg) + "°"},
               {"share of the energy", percent(sun.energy_share)}}) +
          html_table({"In radiance units · sr, on a surface that faces it, above the sky around it.",

@@ -184,7 +184,7 @@ TEST(BakePage, ShowsTheFiguresGiven) {
   EXPECT_EQ(compared, 60);
 }
 
-TEST(BakePage, MarksTheSunWhereItIs) {
+TEST(SlowBakePage, MarksTheSunWhereItIs) {
   BakePage page = full_page();
   page.survey.sun->toward_sun = {0, -1, 0};  // a quarter of the width right of the centre, on the horizon
   const std::string html = bake_page_html(page);
@@ -228,7 +228,7 @@ TEST(SlowBakePage, SameBytesOnAnyNumberOfThreads) {
   EXPECT_EQ(compared, 3);
 }
 
-TEST(BakePage, LivesWithLittle) {
+TEST(SlowBakePage, LivesWithLittle) {
   BakePage page;
   page.panorama = noise({Layout::kEquirect}, {2, 1});
   page.irradiance = noise({Layout::kEquirect}, {2, 1});

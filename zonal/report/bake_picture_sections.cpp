@@ -21,8 +21,8 @@ std::string ball(const EncodedPicture& picture, std::string_view alt) { return s
 
 /// Azimuth from +X toward +Y and elevation above the horizon, degrees.
 std::string azimuth_and_elevation(Vec3 toward) {
-  return fmt::format("azimuth {}°, elevation {}°", number(degrees(std::atan2(toward.y, toward.x))),
-                     number(degrees(std::asin(std::clamp(toward.z, -1.0, 1.0)))));
+  return fmt::format("azimuth {}, elevation {}", angle(std::atan2(toward.y, toward.x)),
+                     angle(std::asin(std::clamp(toward.z, -1.0, 1.0))));
 }
 
 /// A ring around a direction of an equirectangular picture, dark on light on dark: visible on everything.

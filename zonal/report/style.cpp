@@ -73,7 +73,8 @@ dd { margin: 0; }
 section dl { display: grid; gap: 0 28px; grid-template-columns: repeat(auto-fill, minmax(270px, 1fr)); }
 section dl div { display: flex; justify-content: space-between; gap: 16px; padding: 5px 0;
   border-bottom: 1px solid var(--rule); }
-section dl dd { text-align: right; }
+section dl dt { flex: 0 0 auto; max-width: 62%; overflow-wrap: normal; }
+section dl dd { text-align: right; min-width: 0; overflow-wrap: anywhere; }
 
 table { width: 100%; margin: 0 0 22px; border-collapse: collapse; }
 caption { padding-bottom: 8px; text-align: left; font-size: 13px; line-height: 1.45; }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 
 #include "zonal/base/check.h"
 #include "zonal/io/utf8.h"
@@ -63,6 +64,11 @@ std::string escape(std::string_view text) {
     }
   }
   return out;
+}
+
+std::string angle(double radians) {
+  const double hundredths = std::round(radians * (180 / std::numbers::pi) * 100);
+  return (hundredths < 0 ? "−" : "") + fmt::format("{:.2f}°", std::abs(hundredths) / 100);
 }
 
 std::string power_of_ten(int exponent) {

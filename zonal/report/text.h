@@ -22,6 +22,8 @@ std::string percent(double fraction, int digits = 3);
 std::string byte_count(std::uint64_t bytes);
 /// A duration: "41.0 ms", "1.20 s".
 std::string duration(double seconds);
+/// An angle given in radians, to a hundredth of a degree: "−36.01°", "0.00°".
+std::string angle(double radians);
 /// An integer power of ten: 10⁻³.
 std::string power_of_ten(int exponent);
 
