@@ -53,15 +53,16 @@ int main(int argc, char** argv) {
   std::printf("%12s %10s %12s %12s %16s\n", "input", "decoded", "best of 3", "peak memory", "peak / decoded");
   for (int height = 256; height <= largest; height *= 2) {
     const std::string sky = folder / ("sky" + std::to_string(height) + ".exr");
-    if (!std::filesystem::exists(sky)) run({zonal, "sky", "daylight", "--size", std::to_string(height), "-o", sky, "--quiet"});
+    if (!std::filesystem::exists(sky))
+      run({zonal, "sky", "daylight", "--size", std::to_string(height), "-o", sky, "--quiet"});
     Cost best;
     for (int i = 0; i < 3; ++i) {
       const Cost cost = run({zonal, "bake", sky, "-o", folder / "out", "--quiet"});
       if (i == 0 || cost.seconds < best.seconds) best = cost;
     }
     const double decoded_mb = 12.0 * 2 * height * height / (1 << 20);
-    std::printf("%7dx%4d %7.0f MiB %10.2f s %8.0f MiB %16.2f\n", 2 * height, height, decoded_mb, best.seconds, best.peak_mb,
-                best.peak_mb / decoded_mb);
+    std::printf("%7dx%4d %7.0f MiB %10.2f s %8.0f MiB %16.2f\n", 2 * height, height, decoded_mb, best.seconds,
+                best.peak_mb, best.peak_mb / decoded_mb);
     std::fflush(stdout);
   }
 }

@@ -23,7 +23,10 @@ std::vector<Sample> samples_of(double alpha, int count, int source_face) {
     std::uint32_t bits = static_cast<std::uint32_t>(i);
     bits = (bits << 16) | (bits >> 16);
     for (int shift = 8; shift > 0; shift /= 2) {
-      const std::uint32_t mask = shift == 8 ? 0x00ff00ffU : shift == 4 ? 0x0f0f0f0fU : shift == 2 ? 0x33333333U : 0x55555555U;
+      const std::uint32_t mask = shift == 8   ? 0x00ff00ffU
+                                 : shift == 4 ? 0x0f0f0f0fU
+                                 : shift == 2 ? 0x33333333U
+                                              : 0x55555555U;
       bits = ((bits & mask) << shift) | ((bits >> shift) & mask);
     }
     const double u = (i + 0.5) / count, v = bits * 0x1p-32;
@@ -40,8 +43,10 @@ std::vector<Sample> samples_of(double alpha, int count, int source_face) {
 RgbD read(const Image<Rgb>& cube, Vec3 d) {
   const FacePoint p = face_point(sampler_from_world(d));
   const int n = cube.width();
-  const double x = std::clamp((p.u + 1) / 2 * n - 0.5, 0.0, n - 1.0), y = std::clamp((p.v + 1) / 2 * n - 0.5, 0.0, n - 1.0);
-  const int x0 = static_cast<int>(x), y0 = static_cast<int>(y), x1 = std::min(x0 + 1, n - 1), y1 = std::min(y0 + 1, n - 1);
+  const double x = std::clamp((p.u + 1) / 2 * n - 0.5, 0.0, n - 1.0),
+               y = std::clamp((p.v + 1) / 2 * n - 0.5, 0.0, n - 1.0);
+  const int x0 = static_cast<int>(x), y0 = static_cast<int>(y), x1 = std::min(x0 + 1, n - 1),
+            y1 = std::min(y0 + 1, n - 1);
   const double fx = x - x0, fy = y - y0;
   const auto at = [&](int i, int j) { return RgbD(cube(i, p.face * n + j)); };
   return (1 - fy) * ((1 - fx) * at(x0, y0) + fx * at(x1, y0)) + fy * ((1 - fx) * at(x0, y1) + fx * at(x1, y1));
@@ -49,7 +54,8 @@ RgbD read(const Image<Rgb>& cube, Vec3 d) {
 
 }  // namespace
 
-Image<Rgb> importance_sampled_ggx(const std::vector<Image<Rgb>>& cubes, double alpha, int face_size, int count, int threads) {
+Image<Rgb> importance_sampled_ggx(const std::vector<Image<Rgb>>& cubes, double alpha, int face_size, int count,
+                                  int threads) {
   const std::vector<Sample> samples = samples_of(alpha, count, cubes[0].width());
   const Cube cube(Layout::kCubeStack, face_size);
   Image<Rgb> out(face_size, 6 * face_size);

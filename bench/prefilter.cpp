@@ -1,5 +1,5 @@
-// The specular chain of a 2048x1024 panorama, 256² to 16² with GGX, and an irradiance map, against importance sampling; and how
-// wrong each is.
+// The specular chain of a 2048x1024 panorama, 256² to 16² with GGX, and an irradiance map, against importance sampling;
+// and how wrong each is.
 #include <cmath>
 #include <cstdio>
 #include <random>
@@ -91,8 +91,8 @@ int main(int argc, char** argv) {
   const Chain theirs = sampled(sky, two), mine = ours(sky, two);
   std::printf("\nRMS error relative to the value, against the sum over all texels\n");
   for (int level = 1; level < kLevels; ++level) {
-    std::printf("  level %d, alpha %.4f: sampled %.1e, zonal %.1e\n", level, alpha_of(level), error_of(sky, theirs[level], alpha_of(level)),
-                error_of(sky, mine[level], alpha_of(level)));
+    std::printf("  level %d, alpha %.4f: sampled %.1e, zonal %.1e\n", level, alpha_of(level),
+                error_of(sky, theirs[level], alpha_of(level)), error_of(sky, mine[level], alpha_of(level)));
   }
 
   std::vector<Lobe> lobes = {Lobe::cosine()};
@@ -100,7 +100,8 @@ int main(int argc, char** argv) {
   const Convolution convolution(sky, lobes, {}, one);
   const auto sum = [](const Convolved& c) { return checksum({c.map.radiance}); };
   std::vector<bench::Contender> steps = {
-      {"resample to the 256² cube", [&] { return checksum({resample(sky, kCube, cube_size(kSize), {}, one).radiance}); }},
+      {"resample to the 256² cube",
+       [&] { return checksum({resample(sky, kCube, cube_size(kSize), {}, one).radiance}); }},
       {"analysis for all lobes", [&] { return Convolution(sky, lobes, {}, one).coefficients()[0].g; }},
       {"irradiance 256² after analysis", [&] { return sum(convolution.render(0, kCube, cube_size(256), one)); }}};
   for (int level = 1; level < kLevels; ++level) {

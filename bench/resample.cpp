@@ -18,7 +18,9 @@ int main() {
   std::vector<bench::Contender> contenders = {{"copy 2048x1024", [&] { return sum(Image<Rgb>(sky.radiance)); }}};
   for (const Layout layout : all_layouts()) {
     if (layout == Layout::kEquirect) continue;
-    contenders.push_back({std::string(name_of(layout)), [&, layout] { return sum(resample(sky, {layout}, image_size(layout, 256), {}, run).radiance); }});
+    contenders.push_back({std::string(name_of(layout)), [&, layout] {
+                            return sum(resample(sky, {layout}, image_size(layout, 256), {}, run).radiance);
+                          }});
   }
   bench::race("resample 2048x1024 to size 256, one core", contenders, 5);
 }

@@ -14,7 +14,8 @@ struct Contender {
 };
 
 /// Runs the contenders in turn, `rounds` times over, and prints the median of each and its ratio to the first, the
-/// baseline. Interleaved, because the machine's speed drifts: only ratios of one run mean something. Returns the medians in milliseconds.
+/// baseline. Interleaved, because the machine's speed drifts: only ratios of one run mean something. Returns the
+/// medians in milliseconds.
 std::vector<double> race(std::string_view title, const std::vector<Contender>& contenders, int rounds = 7);
 
 }  // namespace zonal::bench

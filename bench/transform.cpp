@@ -33,7 +33,8 @@ double sum_of(const Sh<RgbD>& sh) {
 /// Three scalar transforms, which is what libsharp offers for three maps.
 class Sharp {
  public:
-  Sharp(int bands, RingGrid grid) : alm_(static_cast<std::size_t>(bands) * (bands + 1) / 2), map_(grid.width * grid.height) {
+  Sharp(int bands, RingGrid grid)
+      : alm_(static_cast<std::size_t>(bands) * (bands + 1) / 2), map_(grid.width * grid.height) {
     sharp_make_triangular_alm_info(bands - 1, bands - 1, 1, &alm_info_);
     sharp_make_ecp_geom_info(grid.height, grid.width, 0, 1, grid.width, &geom_info_);
     std::mt19937_64 random(1);
@@ -90,9 +91,11 @@ int main() {
       analysis.push_back({name, [&, run] { return sum_of(analyze(map, bands, RingWeights::kFejer, run)); }});
     }
     char title[128];
-    std::snprintf(title, sizeof title, "synthesis of three maps, %d bands, %dx%d, double, one core", bands, grid.width, grid.height);
+    std::snprintf(title, sizeof title, "synthesis of three maps, %d bands, %dx%d, double, one core", bands, grid.width,
+                  grid.height);
     bench::race(title, synthesis, 5);
-    std::snprintf(title, sizeof title, "analysis of three maps, %d bands, %dx%d, double, one core", bands, grid.width, grid.height);
+    std::snprintf(title, sizeof title, "analysis of three maps, %d bands, %dx%d, double, one core", bands, grid.width,
+                  grid.height);
     bench::race(title, analysis, 5);
   }
 }

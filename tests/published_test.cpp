@@ -1,4 +1,5 @@
-// Numbers that others published of real environments. The files are kept beside the checkout; without them the tests are skipped.
+// Numbers that others published of real environments. The files are kept beside the checkout; without them the tests
+// are skipped.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +25,9 @@ const fs::path kShared = fs::path(ZONAL_SOURCE_DIR) / ".." / "shared";
     GTEST_SKIP() << "no reference data beside the checkout"; \
   }
 
-nlohmann::json reference(const char* name) { return nlohmann::json::parse(std::ifstream(kShared / "reference" / name)); }
+nlohmann::json reference(const char* name) {
+  return nlohmann::json::parse(std::ifstream(kShared / "reference" / name));
+}
 
 // The frame of light probes and cube samplers: x to the right of the view, y up, z forward.
 const Rotation kProbeFromWorld = {{Vec3{0, -1, 0}, Vec3{0, 0, 1}, Vec3{1, 0, 0}}};
@@ -40,7 +43,8 @@ Environment half_float_dds(const fs::path& path, int face_size) {
   std::vector<float> floats(halves.size());
   floats_from_halves(halves, floats);
   Environment cube{Image<Rgb>(face_size, 6 * face_size), {Layout::kCubeStack}};
-  for (std::size_t i = 0; i < texels; ++i) cube.radiance.values()[i] = {floats[4 * i], floats[4 * i + 1], floats[4 * i + 2]};
+  for (std::size_t i = 0; i < texels; ++i)
+    cube.radiance.values()[i] = {floats[4 * i], floats[4 * i + 1], floats[4 * i + 2]};
   return cube;
 }
 
@@ -98,8 +102,9 @@ TEST(Published, TheSameSceneInTwoPicturesHasTheSameCoefficients) {
   const Sh<RgbD> panorama = coefficients("equirect/pisa_latlong_256.hdr");
   EXPECT_LT(relative_difference(cube, panorama), 0.02);
   EXPECT_LT(relative_difference(coefficients("equirect/probulator_pisa.hdr"), panorama), 0.02);
-  EXPECT_LT(relative_difference(coefficients("equirect/blender_sunset.exr"), coefficients("equirect/venice_sunset_1k.hdr")),
-            0.02);
+  EXPECT_LT(
+      relative_difference(coefficients("equirect/blender_sunset.exr"), coefficients("equirect/venice_sunset_1k.hdr")),
+      0.02);
   // The museum was photographed 1.8 times as bright as the wells.
   Sh<RgbD> museum = coefficients("equirect/mitsuba_museum.exr");
   museum *= 1 / 1.79852;
@@ -120,7 +125,8 @@ TEST(Published, AMirrorBallUnwraps) {
   double a_sum = 0, b_sum = 0, aa = 0, bb = 0, ab = 0;
   for (int y = 0; y < 360; ++y) {
     for (int x = 0; x < 720; ++x) {
-      const double a = std::log(1e-3 + luminance(ours.radiance(x, y))), b = std::log(1e-3 + luminance(theirs.radiance(x, y)));
+      const double a = std::log(1e-3 + luminance(ours.radiance(x, y))),
+                   b = std::log(1e-3 + luminance(theirs.radiance(x, y)));
       ratios.push_back(std::abs(a - b));
       a_sum += a, b_sum += b, aa += a * a, bb += b * b, ab += a * b;
     }

@@ -35,9 +35,12 @@ std::string between(const std::string& text, const std::string& begin, const std
 TEST(Readme, ShowsTheProgramThatIsTested) {
   const fs::path source = ZONAL_SOURCE_DIR;
   const std::string shown = between(text_of(source / "README.md"), "```cpp\n", "```");
-  const std::string tested = between(text_of(source / "tests/readme_program.h"), "// README begins\n", "// README ends");
+  const std::string tested =
+      between(text_of(source / "tests/readme_program.h"), "// README begins\n", "// README ends");
   ASSERT_FALSE(tested.empty());
-  EXPECT_NE(shown.find(tested), std::string::npos) << "README.md shows:\n" << shown << "tests/readme_program.h has:\n" << tested;
+  EXPECT_NE(shown.find(tested), std::string::npos) << "README.md shows:\n"
+                                                   << shown << "tests/readme_program.h has:\n"
+                                                   << tested;
 }
 
 TEST(Readme, TheProgramRuns) {

@@ -1,6 +1,7 @@
 #pragma once
 
-// The public verbs of Zonal, all of them. A program that needs less includes less: sh/*.h stands alone on base and math.
+// The public verbs of Zonal, all of them. A program that needs less includes less: sh/*.h stands alone on base and
+// math.
 
 #include "zonal/base/error.h"
 #include "zonal/base/run.h"

@@ -57,7 +57,8 @@ TEST(ForEachBlock, ThrowsTheFailureOfTheFirstBlockThatFailed) {
   for (const int threads : {1, 4}) {
     try {
       // Every block fails, so whichever run, the lowest of them did: block 0 is always taken.
-      for_each_block(with_threads(threads), {}, 100, 1, [&](Block b) { throw std::runtime_error(std::to_string(b.index)); });
+      for_each_block(with_threads(threads), {}, 100, 1,
+                     [&](Block b) { throw std::runtime_error(std::to_string(b.index)); });
       FAIL() << "nothing was thrown";
     } catch (const std::runtime_error& e) {
       EXPECT_STREQ(e.what(), "0");
@@ -90,7 +91,7 @@ TEST(ForEachBlock, ReportsProgressFromZeroToOne) {
   };
   for_each_block(run, "work", 20, 1, [](Block) {});
   ASSERT_EQ(fractions.size(), 20U);
-  for (std::size_t i = 0; i < fractions.size(); ++i) EXPECT_DOUBLE_EQ(fractions[i], (i + 1) / 20.0);
+  for (std::size_t i = 0; i < fractions.size(); ++i) EXPECT_DOUBLE_EQ(fractions[i], static_cast<double>(i + 1) / 20);
 }
 
 TEST(ReduceBlocks, HasTheSameBitsForAnyNumberOfThreads) {

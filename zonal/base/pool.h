@@ -8,8 +8,8 @@
 
 namespace zonal {
 
-/// Scratch space for the blocks of one call: as many pieces are made as blocks run at the same time, and each is used again. Fresh large
-/// memory costs the system more than most blocks' work.
+/// Scratch space for the blocks of one call: as many pieces are made as blocks run at the same time, and each is used
+/// again. Fresh large memory costs the system more than most blocks' work.
 template <class T>
 class Pool {
  public:

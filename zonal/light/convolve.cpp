@@ -56,8 +56,9 @@ struct Plan {
   int bands() const { return static_cast<int>(factors.size()); }
 };
 
-/// A lobe that is still there at the last band, times a Gaussian that is not. Nothing rings, for it is positive, so points need not be
-/// taken out; what lies beyond the last band is ∫ 2l exp(-l²w²/2) dl = 2/w² kEdge of the mean at most.
+/// A lobe that is still there at the last band, times a Gaussian that is not. Nothing rings, for it is positive, so
+/// points need not be taken out; what lies beyond the last band is ∫ 2l exp(-l²w²/2) dl = 2/w² kEdge of the mean at
+/// most.
 Plan widened_plan(const Lobe& lobe, std::vector<double> factors, double mean) {
   constexpr double kEdge = 1e-9;
   const auto bands = static_cast<double>(factors.size());
@@ -164,9 +165,7 @@ Convolution::Convolution(const Environment& environment, std::span<const Lobe> l
 Convolution::~Convolution() = default;
 Convolution::Convolution(Convolution&&) noexcept = default;
 
-const Sh<RgbD>& Convolution::coefficients() const {
-  return state_->rest.bands() > 0 ? state_->rest : state_->whole;
-}
+const Sh<RgbD>& Convolution::coefficients() const { return state_->rest.bands() > 0 ? state_->rest : state_->whole; }
 
 Convolved Convolution::render(int i, const Projection& projection, ImageSize size, const Run& run) const {
   check(i >= 0 && i < static_cast<int>(state_->plans.size()), "no such lobe");
@@ -186,8 +185,8 @@ Convolved Convolution::render(int i, const Projection& projection, ImageSize siz
   Convolved result{{Image<Rgb>(size.width, size.height), projection}, {}};
   const auto add_points = [&](const RowDirections& at, std::span<Rgb> row) {
     if (fast) {
-      render_kernels(run.isa).add_points(*fast, state_->points.data(), static_cast<int>(state_->points.size()), at.x.data(),
-                                         at.y.data(), at.z.data(), size.width, &row.data()->r);
+      render_kernels(run.isa).add_points(*fast, state_->points.data(), static_cast<int>(state_->points.size()),
+                                         at.x.data(), at.y.data(), at.z.data(), size.width, &row.data()->r);
       return;
     }
     for (int x = 0; x < size.width; ++x) {

@@ -119,8 +119,8 @@ TEST(Convolve, ALinearSkyIsScaledByTheFirstFactor) {
 }
 
 TEST(SlowConvolve, EveryProjectionGivesTheSameMap) {
-  // A function of eight bands, drawn in each projection, has a known convolution. What is left is the step to a ring grid: linear or
-  // cubic between texels, so the square of a texel.
+  // A function of eight bands, drawn in each projection, has a known convolution. What is left is the step to a ring
+  // grid: linear or cubic between texels, so the square of a texel.
   Sh<RgbD> sh(8);
   std::mt19937_64 random(11);
   std::normal_distribution<double> normal;
@@ -137,12 +137,14 @@ TEST(SlowConvolve, EveryProjectionGivesTheSameMap) {
       double squares = 0, worst = 0;
       for (int y = 0; y < 48; ++y) {
         for (int x = 0; x < 8; ++x) {
-          const double error = result.map.radiance(x, y).g - evaluate(expected, *mapping.direction({x + 0.5, y + 0.5})).g;
+          const double error =
+              result.map.radiance(x, y).g - evaluate(expected, *mapping.direction({x + 0.5, y + 0.5})).g;
           squares += error * error / (6 * 64);
           worst = std::max(worst, std::abs(error));
         }
       }
-      // The function's own size is about 3. A ball of 96 pixels does not see a cap of 0.4 radians behind it; there it is a guess.
+      // The function's own size is about 3. A ball of 96 pixels does not see a cap of 0.4 radians behind it; there it
+      // is a guess.
       const bool ball = layout == Layout::kMirrorBall || layout == Layout::kSphereMap;
       EXPECT_LT(std::sqrt(squares), ball ? 0.06 : 2e-3) << name_of(layout);
       EXPECT_LT(worst, ball ? 0.6 : 2e-2) << name_of(layout);

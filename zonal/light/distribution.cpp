@@ -30,7 +30,8 @@ struct Tally {
 };
 
 /// Sums one block of rows and leaves the brightest of each group in `groups`.
-Tally tally_rows(const Grid<Rgb>& map, const std::vector<double>& weights, TallyRow tally_row, Grid<float>& groups, Block rows) {
+Tally tally_rows(const Grid<Rgb>& map, const std::vector<double>& weights, TallyRow tally_row, Grid<float>& groups,
+                 Block rows) {
   Tally tally;
   for (int y = rows.begin; y < rows.end; ++y) {
     const std::span<float> row_groups = groups.row(y);
@@ -42,8 +43,9 @@ Tally tally_rows(const Grid<Rgb>& map, const std::vector<double>& weights, Tally
   return tally;
 }
 
-std::vector<Distribution::Peak> find_peaks(const Grid<Rgb>& map, const std::vector<double>& weights, const Grid<float>& groups,
-                                           double least_energy, double least_value, int most) {
+std::vector<Distribution::Peak> find_peaks(const Grid<Rgb>& map, const std::vector<double>& weights,
+                                           const Grid<float>& groups, double least_energy, double least_value,
+                                           int most) {
   std::vector<Distribution::Peak> peaks;
   for (int y = 0; y < map.height(); ++y) {
     const double threshold = std::max(least_energy / weights[y], least_value);
@@ -98,7 +100,8 @@ Distribution::Distribution(const Grid<Rgb>& map, const std::vector<double>& weig
                            const Run& run) {
   Grid<float> groups((map.width() + kGroup - 1) / kGroup, map.height());
   const Tally total = reduce_blocks(
-      run, {}, map.height(), kRowsPerBlock, Tally{}, [&](Block rows) { return tally_rows(map, weights, tally_row(run.isa), groups, rows); },
+      run, {}, map.height(), kRowsPerBlock, Tally{},
+      [&](Block rows) { return tally_rows(map, weights, tally_row(run.isa), groups, rows); },
       [](Tally& sum, const Tally& part) {
         sum.energy += part.energy;
         sum.maximum = std::max(sum.maximum, part.maximum);

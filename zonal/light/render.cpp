@@ -14,9 +14,9 @@ namespace {
 
 constexpr int kRowsPerBlock = 8;
 
-/// How wrong six-point Lagrange interpolation of a wave of `frequency` radians a texel can be along both axes: the remainder
-/// max |Π (x - x_i)| / 6! = 225/64/720 along one, seen through the other's weights (whose absolute sum is below 1.7); and never
-/// more than both axes' weights allow at all.
+/// How wrong six-point Lagrange interpolation of a wave of `frequency` radians a texel can be along both axes: the
+/// remainder max |Π (x - x_i)| / 6! = 225/64/720 along one, seen through the other's weights (whose absolute sum is
+/// below 1.7); and never more than both axes' weights allow at all.
 double remainder_of(double frequency) {
   constexpr double kRemainder = 225.0 / 64 / 720, kLebesgue = 1.7;
   return std::min((1 + kLebesgue) * kRemainder * std::pow(frequency, 6), 1 + kLebesgue * kLebesgue);
@@ -24,15 +24,16 @@ double remainder_of(double frequency) {
 
 double interpolation_bound(const std::vector<double>& maxima, int height) {
   double bound = 0;
-  for (std::size_t l = 0; l < maxima.size(); ++l) bound += maxima[l] * remainder_of(kPi * static_cast<double>(l) / height);
+  for (std::size_t l = 0; l < maxima.size(); ++l)
+    bound += maxima[l] * remainder_of(kPi * static_cast<double>(l) / height);
   return bound;
 }
 
 /// Rows in steps of 16: lengths of the rings then are products of small factors.
 int next_rows(double rows) { return static_cast<int>(std::ceil(rows / 16)) * 16; }
 
-/// Eight rows a band, as long as the grid's memory (28 bytes a texel) stays near that of the map the bands came from; many bands hold so little in the
-/// last of them that one and a half are enough.
+/// Eight rows a band, as long as the grid's memory (28 bytes a texel) stays near that of the map the bands came from;
+/// many bands hold so little in the last of them that one and a half are enough.
 int most_rows(int bands) { return next_rows(std::max(1.5 * bands, std::min(8.0 * bands, 2048.0))); }
 
 }  // namespace
@@ -53,7 +54,8 @@ RingReader::RingReader(const Sh<RgbD>& sh, double tolerance, const Run& run, con
   // The last bands may be finer than the grid where they are too small to matter.
   height_ = next_rows(0.5 * sh.bands());
   const int most = most_rows(sh.bands());
-  while (interpolation_bound(maxima, height_) > tolerance && height_ < most) height_ = std::min(most, next_rows(1.2 * height_));
+  while (interpolation_bound(maxima, height_) > tolerance && height_ < most)
+    height_ = std::min(most, next_rows(1.2 * height_));
   width_ = 2 * height_;
   error_bound_ = interpolation_bound(maxima, height_);
 

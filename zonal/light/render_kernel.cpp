@@ -24,7 +24,8 @@ inline Vec square_root(Vec v) {
   return root;
 }
 
-/// atan2(y, x) to 1e-12: the angle is halved twice, tan(φ/2) = t / (1 + sqrt(1 + t²)), then the series of the arc tangent.
+/// atan2(y, x) to 1e-12: the angle is halved twice, tan(φ/2) = t / (1 + sqrt(1 + t²)), then the series of the arc
+/// tangent.
 inline Vec azimuth(Vec y, Vec x) {
   const Vec ay = y < 0 ? -y : y, ax = x < 0 ? -x : x;
   const auto steep = ay > ax;
@@ -45,7 +46,8 @@ using Floats = float __attribute__((vector_size(kLanes * sizeof(float))));
 using Ints = int __attribute__((vector_size(kLanes * sizeof(int))));
 using Longs = long long __attribute__((vector_size(kLanes * sizeof(long long))));
 
-/// Where the six texels along one axis begin, and their weights as three pairs of floats packed into 64 bits, for each lane.
+/// Where the six texels along one axis begin, and their weights as three pairs of floats packed into 64 bits, for each
+/// lane.
 struct Taps {
   Ints first;
   Longs pairs[3];
@@ -57,8 +59,8 @@ inline Longs packed(Vec low, Vec high) {
   return (__builtin_convertvector(l, Longs) & 0xffffffffLL) | (__builtin_convertvector(h, Longs) << 32);
 }
 
-/// Lagrange's polynomial through the texels -2..3 around a point at `position`, in texels with centres at 1/2; first counts from the
-/// border's edge.
+/// Lagrange's polynomial through the texels -2..3 around a point at `position`, in texels with centres at 1/2; first
+/// counts from the border's edge.
 inline Taps taps_at(Vec position) {
   const Vec shifted = position + (BorderedGrid::kBorder - 0.5);  // never negative
   const Ints cell = __builtin_convertvector(shifted, Ints);
@@ -79,7 +81,8 @@ inline TexelPair spread(long long pair) {
 }
 
 inline Texel read(const BorderedGrid& grid, const Taps& across, const Taps& down, int lane) {
-  const TexelPair columns[3] = {spread(across.pairs[0][lane]), spread(across.pairs[1][lane]), spread(across.pairs[2][lane])};
+  const TexelPair columns[3] = {spread(across.pairs[0][lane]), spread(across.pairs[1][lane]),
+                                spread(across.pairs[2][lane])};
   const float* corner = grid.texels + down.first[lane] * grid.row_stride() + 4 * across.first[lane];
   TexelPair sum = {};
   for (int j = 0; j < 6; ++j, corner += grid.row_stride()) {
@@ -111,7 +114,8 @@ void interpolate(const BorderedGrid& grid, const double* x, const double* y, con
     }
     const Vec vx = load(in[0]), vy = load(in[1]), vz = load(in[2]);
     const Vec phi = azimuth(vy, vx), theta = azimuth(square_root(vx * vx + vy * vy), vz);
-    const Taps across = taps_at((0.5 - phi * (0.5 / kPi)) * grid.width), down = taps_at(theta * (1 / kPi) * grid.height);
+    const Taps across = taps_at((0.5 - phi * (0.5 / kPi)) * grid.width),
+               down = taps_at(theta * (1 / kPi) * grid.height);
     for (int k = 0; k < n; ++k) {
       const Texel texel = read(grid, across, down, k);
       __builtin_memcpy(out + 3L * (i + k), &texel, 3 * sizeof(float));
@@ -134,7 +138,8 @@ void add_points(const RationalLobe& lobe, const PointLight* lights, int light_co
     for (int k = 0; k < light_count; ++k) {
       const PointLight& light = lights[k];
       const float lx = static_cast<float>(light.x), ly = static_cast<float>(light.y), lz = static_cast<float>(light.z);
-      const float scale = static_cast<float>(lobe.scale), a0 = static_cast<float>(lobe.a), b0 = static_cast<float>(lobe.b);
+      const float scale = static_cast<float>(lobe.scale), a0 = static_cast<float>(lobe.a),
+                  b0 = static_cast<float>(lobe.b);
       for (int i = 0; i < kRun; ++i) {
         const float ex = dx[i] - lx, ey = dy[i] - ly, ez = dz[i] - lz;
         const float versine = 0.5f * (ex * ex + ey * ey + ez * ez), c = 1 - versine;

@@ -12,8 +12,8 @@
 
 namespace zonal {
 
-/// The directions of one row of a picture as three arrays, for loops over lanes. A texel whose centre shows nothing has shown[x] = 0 and
-/// the direction +Z.
+/// The directions of one row of a picture as three arrays, for loops over lanes. A texel whose centre shows nothing has
+/// shown[x] = 0 and the direction +Z.
 struct RowDirections {
   explicit RowDirections(int width) : x(width), y(width), z(width), shown(width) {}
 

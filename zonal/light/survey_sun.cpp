@@ -66,7 +66,8 @@ bool is_finite(RgbD c) { return std::isfinite(c.r) && std::isfinite(c.g) && std:
 
 std::optional<SunEstimate> estimate_sun(const Environment& e, const Mapping& mapping, Texel brightest,
                                         double mean_luminance, double total_luminance) {
-  constexpr double kStandsOut = 16, kCompact = 0.03, kPartOfPeak = 0.1;
+  // A glint that outshines its surroundings but gives hardly any light is no sun.
+  constexpr double kStandsOut = 16, kCompact = 0.03, kPartOfPeak = 0.1, kLeastShare = 0.005;
   const double peak = luminance(RgbD(e.radiance(brightest.x, brightest.y)));
   if (!(peak > kStandsOut * mean_luminance) || !(total_luminance > 0)) return std::nullopt;
   Region region(e, mapping, brightest);
@@ -94,7 +95,7 @@ std::optional<SunEstimate> estimate_sun(const Environment& e, const Mapping& map
     energy += part;
     moment += part * *toward;
   }
-  if (!(energy > 0)) return std::nullopt;
+  if (!(energy > kLeastShare * total_luminance)) return std::nullopt;
 
   SunEstimate sun;
   sun.toward_sun = normalize(moment);

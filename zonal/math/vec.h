@@ -22,9 +22,7 @@ constexpr Vec3 operator*(double s, Vec3 a) { return {s * a.x, s * a.y, s * a.z};
 constexpr Vec3 operator*(Vec3 a, double s) { return s * a; }
 constexpr Vec3& operator+=(Vec3& a, Vec3 b) { return a = a + b; }
 constexpr double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-constexpr Vec3 cross(Vec3 a, Vec3 b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
+constexpr Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 inline double length(Vec3 a) { return std::sqrt(dot(a, a)); }
 inline Vec3 normalize(Vec3 a) { return (1 / length(a)) * a; }
 /// Angle between two directions, accurate for tiny and for nearly opposite angles alike (Kahan 2006).
@@ -38,26 +36,41 @@ struct Color3 {
   constexpr Color3() = default;
   constexpr Color3(T red, T green, T blue) : r(red), g(green), b(blue) {}
   template <class U>
-  constexpr explicit Color3(const Color3<U>& c) : r(static_cast<T>(c.r)), g(static_cast<T>(c.g)), b(static_cast<T>(c.b)) {}
+  constexpr explicit Color3(const Color3<U>& c)
+      : r(static_cast<T>(c.r)), g(static_cast<T>(c.g)), b(static_cast<T>(c.b)) {}
 };
 using Rgb = Color3<float>;
 using RgbD = Color3<double>;
 
 template <class T>
-constexpr Color3<T> operator+(Color3<T> a, Color3<T> b) { return {a.r + b.r, a.g + b.g, a.b + b.b}; }
+constexpr Color3<T> operator+(Color3<T> a, Color3<T> b) {
+  return {a.r + b.r, a.g + b.g, a.b + b.b};
+}
 template <class T>
-constexpr Color3<T> operator-(Color3<T> a, Color3<T> b) { return {a.r - b.r, a.g - b.g, a.b - b.b}; }
+constexpr Color3<T> operator-(Color3<T> a, Color3<T> b) {
+  return {a.r - b.r, a.g - b.g, a.b - b.b};
+}
 template <class T>
-constexpr Color3<T> operator*(Color3<T> a, Color3<T> b) { return {a.r * b.r, a.g * b.g, a.b * b.b}; }
+constexpr Color3<T> operator*(Color3<T> a, Color3<T> b) {
+  return {a.r * b.r, a.g * b.g, a.b * b.b};
+}
 template <class T>
-constexpr Color3<T> operator*(std::type_identity_t<T> s, Color3<T> a) { return {s * a.r, s * a.g, s * a.b}; }
+constexpr Color3<T> operator*(std::type_identity_t<T> s, Color3<T> a) {
+  return {s * a.r, s * a.g, s * a.b};
+}
 template <class T>
-constexpr Color3<T>& operator+=(Color3<T>& a, Color3<T> b) { return a = a + b; }
+constexpr Color3<T>& operator+=(Color3<T>& a, Color3<T> b) {
+  return a = a + b;
+}
 /// Rec. 709 luminance.
 template <class T>
-constexpr T luminance(Color3<T> c) { return T(0.2126) * c.r + T(0.7152) * c.g + T(0.0722) * c.b; }
+constexpr T luminance(Color3<T> c) {
+  return T(0.2126) * c.r + T(0.7152) * c.g + T(0.0722) * c.b;
+}
 template <class T>
-constexpr T max_channel(Color3<T> c) { return c.r > c.g ? (c.r > c.b ? c.r : c.b) : (c.g > c.b ? c.g : c.b); }
+constexpr T max_channel(Color3<T> c) {
+  return c.r > c.g ? (c.r > c.b ? c.r : c.b) : (c.g > c.b ? c.g : c.b);
+}
 
 /// An orthogonal 3x3 matrix, rows first: a rotation, or (in io/engine alone) a rotation with a mirror.
 struct Rotation {
@@ -78,7 +91,9 @@ struct Rotation {
   static Rotation about_z(double angle) { return about({0, 0, 1}, angle); }
 };
 
-constexpr Vec3 operator*(const Rotation& r, Vec3 v) { return {dot(r.rows[0], v), dot(r.rows[1], v), dot(r.rows[2], v)}; }
+constexpr Vec3 operator*(const Rotation& r, Vec3 v) {
+  return {dot(r.rows[0], v), dot(r.rows[1], v), dot(r.rows[2], v)};
+}
 constexpr Rotation transpose(const Rotation& r) {
   const auto& [a, b, c] = r.rows;
   return {{Vec3{a.x, b.x, c.x}, Vec3{a.y, b.y, c.y}, Vec3{a.z, b.z, c.z}}};

@@ -76,11 +76,10 @@ std::string energy_section(const BakePage& page) {
 std::string sun_section(const Survey& survey) {
   if (!survey.sun) return html_paragraph("Nothing compact stands out like a sun or a lamp.");
   const SunEstimate& sun = *survey.sun;
-  return html_facts(
-             {{"azimuth, from +X toward +Y", angle(std::atan2(sun.toward_sun.y, sun.toward_sun.x))},
-              {"elevation", angle(std::asin(std::clamp(sun.toward_sun.z, -1.0, 1.0)))},
-              {"diameter", number(sun.diameter_deg) + "°"},
-              {"share of the energy", percent(sun.energy_share)}}) +
+  return html_facts({{"azimuth, from +X toward +Y", angle(std::atan2(sun.toward_sun.y, sun.toward_sun.x))},
+                     {"elevation", angle(std::asin(std::clamp(sun.toward_sun.z, -1.0, 1.0)))},
+                     {"diameter", number(sun.diameter_deg) + "°"},
+                     {"share of the energy", percent(sun.energy_share)}}) +
          html_table({"In radiance units · sr, on a surface that faces it, above the sky around it.",
                      channel_columns(),
                      {channel_row("irradiance", sun.irradiance)}});

@@ -2,9 +2,9 @@
 
 #include "zonal/base/kernel.h"
 
-/// The inner loops of the transform. Each *_kernel.cpp is compiled once per instruction set; SIMD lanes hold different ring
-/// pairs (a ring and its mirror image below the equator), so nothing is shuffled. Arrays of doubles whose shape ends in
-/// [lanes] hold one SIMD vector per entry and are aligned to it.
+/// The inner loops of the transform. Each *_kernel.cpp is compiled once per instruction set; SIMD lanes hold different
+/// ring pairs (a ring and its mirror image below the equator), so nothing is shuffled. Arrays of doubles whose shape
+/// ends in [lanes] hold one SIMD vector per entry and are aligned to it.
 namespace zonal {
 
 /// One pass of a Stockham transform (decimation in frequency).
@@ -23,14 +23,15 @@ struct RingKernels {
   double* (*fft)(const FftStage* stages, int stage_count, double* values, double* scratch);
   /// values[n] *= factors[n] (complex scalars), and conjugated after that where asked for.
   void (*multiply)(double* values, const double* factors, int count, bool conjugate);
-  /// Reads one channel of `lanes` row pairs: re = north, im = south. A null row reads as zero. Rows hold interleaved RGB.
+  /// Reads one channel of `lanes` row pairs: re = north, im = south. A null row reads as zero. Rows hold interleaved
+  /// RGB.
   void (*load_float)(const float* const* north, const float* const* south, int channel, int width, double* values);
   void (*load_double)(const double* const* north, const double* const* south, int channel, int width, double* values);
   void (*store_float)(const double* values, int channel, int width, float* const* north, float* const* south);
   void (*store_double)(const double* values, int channel, int width, double* const* north, double* const* south);
-  /// From the transform of a packed pair to the sums Σ f cos mφ and Σ f sin mφ of (north + south) and (north - south), m < bands:
-  /// spectrum + m * spectrum_stride is [symmetric, antisymmetric][channel][cos, sin][lanes]. phases[m] = exp(-imφ_0), φ_0 the azimuth of
-  /// texel 0; weights[lanes] multiplies each ring.
+  /// From the transform of a packed pair to the sums Σ f cos mφ and Σ f sin mφ of (north + south) and (north - south),
+  /// m < bands: spectrum + m * spectrum_stride is [symmetric, antisymmetric][channel][cos, sin][lanes]. phases[m] =
+  /// exp(-imφ_0), φ_0 the azimuth of texel 0; weights[lanes] multiplies each ring.
   void (*unpack)(const double* values, int width, int channel, int bands, const double* phases, const double* weights,
                  double* spectrum, long spectrum_stride);
   /// The adjoint: from cos/sin amplitudes of the two rings' half sums to the values whose transform is the packed pair.
@@ -39,10 +40,11 @@ struct RingKernels {
 };
 ZONAL_KERNELS(RingKernels, kRingKernels, ring_kernels);
 
-/// The few lowest sums of a pair of rows at the speed of reading them, for 3 or 6 bands. sums is [row][entry][channel]: entry 0 is Σ f,
-/// entries 2m-1 and 2m are Re and Im of Σ f exp(-2πi m x / width), width a multiple of 4. Rows hold interleaved RGB; south may be null.
-/// table holds cos and sin of 2π m x / width as float for each float i = 3x + channel of a quarter row:
-/// [i / lanes][m - 1][cos, sin][lanes], and the rest past whole vectors as [i][m - 1][cos, sin].
+/// The few lowest sums of a pair of rows at the speed of reading them, for 3 or 6 bands. sums is [row][entry][channel]:
+/// entry 0 is Σ f, entries 2m-1 and 2m are Re and Im of Σ f exp(-2πi m x / width), width a multiple of 4. Rows hold
+/// interleaved RGB; south may be null. table holds cos and sin of 2π m x / width as float for each float i = 3x +
+/// channel of a quarter row: [i / lanes][m - 1][cos, sin][lanes], and the rest past whole vectors as [i][m - 1][cos,
+/// sin].
 struct MomentKernels {
   int lanes;
   void (*three)(const float* north, const float* south, int width, const float* table, double* sums);

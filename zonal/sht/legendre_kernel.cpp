@@ -10,8 +10,9 @@ using Mask = decltype(Vec{} < Vec{});
 
 constexpr int kAmplitudes = 6;  // three channels, cosine and sine
 
-// Near the poles sin^m θ underflows long before the function grows to its size. Values are kept as q 2^(-400 k); while k > 0 they are
-// below 2^-60 of anything that matters and are not summed (the idea of libsharp, Reinecke & Seljebotn 2013).
+// Near the poles sin^m θ underflows long before the function grows to its size. Values are kept as q 2^(-400 k); while
+// k > 0 they are below 2^-60 of anything that matters and are not summed (the idea of libsharp, Reinecke & Seljebotn
+// 2013).
 constexpr double kShrink = 0x1p-400, kGrow = 0x1p400, kSmall = 0x1p-60, kLarge = 0x1p340;
 
 inline Vec absolute(Vec v) { return v < 0 ? -v : v; }
@@ -201,8 +202,8 @@ void analyze(const LegendreColumn& column, int blocks, const double* x, const do
   for (; b < blocks; ++b) analyze_blocks<1>(column, at(x, 1), at(sine, 1), at(spectrum, 12), sums);
 }
 
-void synthesize(const LegendreColumn& column, int blocks, const double* x, const double* sine, const double* coefficients,
-                double* spectrum) {
+void synthesize(const LegendreColumn& column, int blocks, const double* x, const double* sine,
+                const double* coefficients, double* spectrum) {
   int b = 0;
   const auto at = [&](const double* array, int entries) { return array + static_cast<long>(b) * entries * kLanes; };
   for (; b + kSynthesizeWidth <= blocks; b += kSynthesizeWidth) {

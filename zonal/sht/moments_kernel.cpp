@@ -23,8 +23,8 @@ struct Sums {
   T of[2 * Bands - 1] = {};
 };
 
-/// Four texels a quarter turn apart share their cosines: (f0 + f2) ± (f1 + f3) serve even m, (f0 - f2) and (f1 - f3) odd m.
-/// table[m - 1] is [cos, sin]; T is one float or a vector of them.
+/// Four texels a quarter turn apart share their cosines: (f0 + f2) ± (f1 + f3) serve even m, (f0 - f2) and (f1 - f3)
+/// odd m. table[m - 1] is [cos, sin]; T is one float or a vector of them.
 template <int Bands, class T>
 inline void add_quarters(Sums<T, Bands>& sums, T f0, T f1, T f2, T f3, const T (&table)[2 * Bands]) {
   const T even = f0 + f2, odd = f0 - f2, even_turned = f1 + f3, odd_turned = f1 - f3;
@@ -84,10 +84,12 @@ void row_moments(const float* north, const float* south, int width, const float*
         Vec turn[2 * Bands];
         for (int i = 0; i < 2 * (Bands - 1); ++i) turn[i] = load(table + (2L * (Bands - 1) * j + i) * kLanes);
         const float* f = north + static_cast<long>(j) * kLanes;
-        add_quarters<Bands>(north_run, load(f), load(f + quarter), load(f + 2L * quarter), load(f + 3L * quarter), turn);
+        add_quarters<Bands>(north_run, load(f), load(f + quarter), load(f + 2L * quarter), load(f + 3L * quarter),
+                            turn);
         if (rows == 1) continue;
         f = south + static_cast<long>(j) * kLanes;
-        add_quarters<Bands>(south_run, load(f), load(f + quarter), load(f + 2L * quarter), load(f + 3L * quarter), turn);
+        add_quarters<Bands>(south_run, load(f), load(f + quarter), load(f + 2L * quarter), load(f + 3L * quarter),
+                            turn);
       }
       totals[0].flush(phase, north_run);
       if (rows == 2) totals[1].flush(phase, south_run);

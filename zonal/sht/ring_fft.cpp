@@ -94,8 +94,8 @@ double* RingFft::forward(const RingKernels& kernels, double* values, double* scr
   const int count = static_cast<int>(stages_.size());
   if (chirp_.empty()) return kernels.fft(stages_.data(), count, values, scratch);
 
-  // Bluestein: nk = (n² + k² - (k - n)²) / 2 makes the transform a convolution with a chirp, done over a power of two. The
-  // inverse transform of it is a forward one between two conjugations.
+  // Bluestein: nk = (n² + k² - (k - n)²) / 2 makes the transform a convolution with a chirp, done over a power of two.
+  // The inverse transform of it is a forward one between two conjugations.
   const std::size_t entry = 2UL * kernels.lanes;
   kernels.multiply(values, chirp_.data(), length_, false);
   std::memset(values + entry * length_, 0, entry * (padded_ - length_) * sizeof(double));

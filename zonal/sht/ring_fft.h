@@ -6,8 +6,8 @@
 
 namespace zonal {
 
-/// A plan for complex transforms of one length, any length: mixed radix 8, 4, 2, 3, 5 and small odd factors, and Bluestein's
-/// chirp (1970) where a prime factor is large.
+/// A plan for complex transforms of one length, any length: mixed radix 8, 4, 2, 3, 5 and small odd factors, and
+/// Bluestein's chirp (1970) where a prime factor is large.
 class RingFft {
  public:
   explicit RingFft(int length);

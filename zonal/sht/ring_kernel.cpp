@@ -123,12 +123,23 @@ double* fft(const FftStage* stages, int stage_count, double* values, double* scr
   Complex* out = reinterpret_cast<Complex*>(scratch);
   for (int i = 0; i < stage_count; ++i) {
     switch (stages[i].radix) {
-      case 2: fixed_stage<2>(stages[i], in, out); break;
-      case 3: fixed_stage<3>(stages[i], in, out); break;
-      case 4: fixed_stage<4>(stages[i], in, out); break;
-      case 5: fixed_stage<5>(stages[i], in, out); break;
-      case 8: fixed_stage<8>(stages[i], in, out); break;
-      default: generic_stage(stages[i], in, out);
+      case 2:
+        fixed_stage<2>(stages[i], in, out);
+        break;
+      case 3:
+        fixed_stage<3>(stages[i], in, out);
+        break;
+      case 4:
+        fixed_stage<4>(stages[i], in, out);
+        break;
+      case 5:
+        fixed_stage<5>(stages[i], in, out);
+        break;
+      case 8:
+        fixed_stage<8>(stages[i], in, out);
+        break;
+      default:
+        generic_stage(stages[i], in, out);
     }
     Complex* swapped = in;
     in = out;

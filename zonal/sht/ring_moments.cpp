@@ -12,8 +12,9 @@ RingMoments::RingMoments(int width, int bands, Isa isa)
   for (int i = 0; i < quarter; ++i) {
     for (int m = 1; m < bands_; ++m) {
       const double turn = 2 * kPi * m * (i / 3) / width;
-      const std::size_t at = i < whole ? (static_cast<std::size_t>(i / lanes) * entries + 2 * (m - 1)) * lanes + i % lanes
-                                       : static_cast<std::size_t>(i) * entries + 2 * (m - 1);
+      const std::size_t at = i < whole
+                                 ? (static_cast<std::size_t>(i / lanes) * entries + 2 * (m - 1)) * lanes + i % lanes
+                                 : static_cast<std::size_t>(i) * entries + 2 * (m - 1);
       table_[at] = static_cast<float>(std::cos(turn));
       table_[at + (i < whole ? lanes : 1)] = static_cast<float>(std::sin(turn));
     }

@@ -8,9 +8,9 @@
 
 namespace zonal {
 
-/// Ring sums for at most six bands straight from the rows, without a transform: what an irradiance probe needs from a panorama,
-/// at about the speed of reading it. Products in float, sums of 16 of them in float, the rest in double: relative error below 1e-6
-/// of the row's absolute sum.
+/// Ring sums for at most six bands straight from the rows, without a transform: what an irradiance probe needs from a
+/// panorama, at about the speed of reading it. Products in float, sums of 16 of them in float, the rest in double:
+/// relative error below 1e-6 of the row's absolute sum.
 class RingMoments {
  public:
   static constexpr int kMaxBands = 6;

@@ -21,8 +21,8 @@ constexpr int kMaxLanes = 8;
 template <class T>
 using Scalar = decltype(T{}.r);
 
-/// The rows of the ring pairs of one block: the ring j and its mirror image height-1-j. The middle ring of an odd height is its own
-/// mirror image: its south is null, and so are the lanes past the last pair.
+/// The rows of the ring pairs of one block: the ring j and its mirror image height-1-j. The middle ring of an odd
+/// height is its own mirror image: its south is null, and so are the lanes past the last pair.
 template <class Row>
 struct PairRows {
   std::array<Row, kMaxLanes> north{}, south{};
@@ -75,7 +75,8 @@ std::vector<double> azimuth_phases(int bands, int width) {
 
 /// Two buffers for one block of rings on one thread.
 struct RingBuffers {
-  RingBuffers(const RingFft& fft, int lanes) : values(2UL * lanes * fft.capacity()), scratch(2UL * lanes * fft.capacity()) {}
+  RingBuffers(const RingFft& fft, int lanes)
+      : values(2UL * lanes * fft.capacity()), scratch(2UL * lanes * fft.capacity()) {}
   AlignedDoubles values, scratch;
 
   static Pool<RingBuffers> pool(const RingFft& fft, int lanes) {

@@ -10,8 +10,8 @@
 
 namespace zonal {
 
-/// The half of the transform that runs along rings: from a map to the cosine and sine sums of each pair of rings, weighted, for m < bands, and
-/// back. Texels in `left_out` count as zero. Parallel over blocks of rings.
+/// The half of the transform that runs along rings: from a map to the cosine and sine sums of each pair of rings,
+/// weighted, for m < bands, and back. Texels in `left_out` count as zero. Parallel over blocks of rings.
 void analyze_rings(const Grid<Rgb>& map, int bands, RingWeights, std::span<const GridTexel> left_out, RingSpectrum&,
                    const Run&);
 void analyze_rings(const Grid<RgbD>& map, int bands, RingWeights, std::span<const GridTexel> left_out, RingSpectrum&,

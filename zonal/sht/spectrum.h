@@ -8,8 +8,8 @@
 
 namespace zonal {
 
-/// Uninitialised doubles on a cache line's boundary, in large pages where the system has them: a transform touches each of its
-/// buffers' pages once or twice, and with small pages the faults cost as much as the work.
+/// Uninitialised doubles on a cache line's boundary, in large pages where the system has them: a transform touches each
+/// of its buffers' pages once or twice, and with small pages the faults cost as much as the work.
 class AlignedDoubles {
  public:
   explicit AlignedDoubles(std::size_t count) : data_(allocate(count * sizeof(double))) {}

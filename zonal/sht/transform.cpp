@@ -35,7 +35,8 @@ struct RingAngles {
   int count;
 };
 
-/// The recurrence P_l = a_l x P_{l-1} - (a_l / a_{l-1}) P_{l-2}, a_l² = (4l² - 1) / (l² - m²), in the scale where its second factor is one.
+/// The recurrence P_l = a_l x P_{l-1} - (a_l / a_{l-1}) P_{l-2}, a_l² = (4l² - 1) / (l² - m²), in the scale where its
+/// second factor is one.
 struct Column {
   std::vector<double> step, scale;  // [l - m]; step has two entries more, which the kernels may read ahead
 
@@ -81,7 +82,8 @@ Sh<RgbD> analyze_map(const Grid<T>& map, int bands, RingWeights weights, const R
   };
   const std::size_t longest = static_cast<std::size_t>(bands) * kAmplitudes;
   Pool<Scratch> pool([&] {
-    return std::make_unique<Scratch>(Scratch{AlignedDoubles(longest * kernels.lanes), AlignedDoubles(longest * kColumns)});
+    return std::make_unique<Scratch>(
+        Scratch{AlignedDoubles(longest * kernels.lanes), AlignedDoubles(longest * kColumns)});
   });
   for_each_block(run, "bands", bands, kColumns, [&](Block columns) {
     typename Pool<Scratch>::Loan scratch(pool);
@@ -123,9 +125,8 @@ Grid<T> synthesize_map(const Sh<RgbD>& coefficients, RingGrid grid, const Run& r
   RingSpectrum spectrum(grid, bands, kernels.lanes);
   const RingAngles angles(grid, spectrum.blocks() * kernels.lanes);
   const std::vector<double> seed = seeds(bands);
-  Pool<AlignedDoubles> pool([&] {
-    return std::make_unique<AlignedDoubles>(static_cast<std::size_t>(bands) * kAmplitudes * kColumns);
-  });
+  Pool<AlignedDoubles> pool(
+      [&] { return std::make_unique<AlignedDoubles>(static_cast<std::size_t>(bands) * kAmplitudes * kColumns); });
   for_each_block(run, "bands", bands, kColumns, [&](Block columns) {
     const int first = columns.begin;
     const std::size_t column_size = static_cast<std::size_t>(bands - first) * kAmplitudes;
@@ -142,7 +143,8 @@ Grid<T> synthesize_map(const Sh<RgbD>& coefficients, RingGrid grid, const Run& r
       const Column column(m, bands);
       double* t = scaled.data() + (m - first) * column_size + static_cast<std::size_t>(m - first) * kAmplitudes;
       for (int l = m; l < bands; ++l) {
-        for (int a = 0; a < kAmplitudes; ++a) t[static_cast<std::size_t>(l - m) * kAmplitudes + a] *= column.scale[l - m];
+        for (int a = 0; a < kAmplitudes; ++a)
+          t[static_cast<std::size_t>(l - m) * kAmplitudes + a] *= column.scale[l - m];
       }
       kernels.synthesize({m, bands, seed[m], column.step.data()}, spectrum.blocks(), angles.x(), angles.sine(), t,
                          spectrum.at(m, 0));
