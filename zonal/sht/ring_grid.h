@@ -13,8 +13,7 @@ struct GridTexel {
 /// How much a texel of an equirectangular grid counts in an integral over the sphere.
 enum class RingWeights {
   kTexelArea,  ///< its solid angle: the map is the sum of its texels, exact for that sum at any number of bands
-  kFejer,  ///< Fejér's first rule: exact for the continuous function if it has fewer bands than the grid has rows (and
-           ///< columns / 2)
+  kFejer,  ///< Fejér's first rule: exact for the integral of any function of fewer bands than the grid has rows
 };
 
 /// An equirectangular grid as rings of constant θ: θ_j = π (j + 1/2) / height, j = 0 at the north pole (+Z).

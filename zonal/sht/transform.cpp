@@ -118,8 +118,9 @@ Sh<RgbD> analyze_map(const Grid<T>& map, int bands, RingWeights weights, const R
 }
 
 template <class T>
-Grid<T> synthesize_map(const Sh<RgbD>& coefficients, RingGrid grid, const Run& run) {
-  check(grid.width >= 1 && grid.height >= 1, "synthesize: the grid is empty");
+void synthesize_map(const Sh<RgbD>& coefficients, Grid<T>& map, const Run& run) {
+  check(!map.empty(), "synthesize: the map is empty");
+  const RingGrid grid{map.width(), map.height()};
   const LegendreKernels& kernels = legendre_kernels(run.isa);
   const int bands = coefficients.bands();
   RingSpectrum spectrum(grid, bands, kernels.lanes);
@@ -150,9 +151,7 @@ Grid<T> synthesize_map(const Sh<RgbD>& coefficients, RingGrid grid, const Run& r
                          spectrum.at(m, 0));
     }
   });
-  Grid<T> map(grid.width, grid.height);
   synthesize_rings(spectrum, bands, map, run);
-  return map;
 }
 
 }  // namespace
@@ -164,11 +163,21 @@ Sh<RgbD> analyze(const Grid<Rgb>& map, int bands, RingWeights weights, const Run
 Sh<RgbD> analyze(const Grid<RgbD>& map, int bands, RingWeights weights, const Run& run) {
   return analyze_map(map, bands, weights, run, {});
 }
+void synthesize(const Sh<RgbD>& coefficients, Grid<Rgb>& map, const Run& run) {
+  synthesize_map(coefficients, map, run);
+}
+void synthesize(const Sh<RgbD>& coefficients, Grid<RgbD>& map, const Run& run) {
+  synthesize_map(coefficients, map, run);
+}
 Grid<Rgb> synthesize(const Sh<RgbD>& coefficients, RingGrid grid, const Run& run) {
-  return synthesize_map<Rgb>(coefficients, grid, run);
+  Grid<Rgb> map(grid.width, grid.height);
+  synthesize(coefficients, map, run);
+  return map;
 }
 Grid<RgbD> synthesize_double(const Sh<RgbD>& coefficients, RingGrid grid, const Run& run) {
-  return synthesize_map<RgbD>(coefficients, grid, run);
+  Grid<RgbD> map(grid.width, grid.height);
+  synthesize(coefficients, map, run);
+  return map;
 }
 
 }  // namespace zonal
