@@ -142,9 +142,13 @@ Convolution::Convolution(const Environment& environment, std::span<const Lobe> l
   }
 
   const int most_bands = std::min(options.max_bands, std::max(512, 2 * grid.height));
+  std::vector<std::optional<Plan>> plans(lobes.size());
+  for_each_block(run, {}, static_cast<int>(lobes.size()), 1, [&](Block one) {
+    plans[one.begin] = plan_for(lobes[one.begin], distribution, options.tolerance, most_bands);
+  });
   int bands_of_rest = 0, bands_of_whole = 0;
-  for (const Lobe& lobe : lobes) {
-    const Plan& plan = state->plans.emplace_back(plan_for(lobe, distribution, options.tolerance, most_bands));
+  for (std::optional<Plan>& planned : plans) {
+    const Plan& plan = state->plans.emplace_back(std::move(*planned));
     int& bands = plan.widening > 0 ? bands_of_whole : bands_of_rest;
     bands = std::max(bands, plan.bands());
   }
