@@ -91,21 +91,21 @@ void add_file_options(CLI::App& verb, BakeCommand& command) {
 
 }  // namespace
 
-void add_bake(CLI::App& app, Session& session) {
+void add_bake(CLI::App& app, Call& call) {
   auto command = std::make_shared<BakeCommand>();
   CLI::App& verb =
       *app.add_subcommand("bake", "Everything a renderer needs from one environment, and a page to look at.");
   add_input_options(verb, command->input);
   add_light_options(verb, *command);
   add_file_options(verb, *command);
-  add_run_options(verb, session);
+  add_run_options(verb, call);
   verb.footer(
       "Examples:\n"
       "  zonal bake sunset.exr -o out\n"
       "  zonal bake faces/ -o out --size 512 --engine three\n"
       "  zonal bake allsky.jpg -o out --from fisheye --fov 185 --ground 0.1,0.1,0.08\n"
       "  zonal bake sunset.exr -o out --verify --format exr");
-  verb.callback([command, &session] { run_bake(*command, session); });
+  verb.callback([command, &call] { run_bake(*command, call); });
 }
 
 }  // namespace zonal

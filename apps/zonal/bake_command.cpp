@@ -40,36 +40,36 @@ JsonValue json_of(const std::string& map, const Verification& verified) {
                            {"worst_relative_error", verified.worst}};
 }
 
-void say_all_verified(const Bake& bake, Session& session) {
+void say_all_verified(const Bake& bake, Call& call) {
   JsonValue::Array list;
   const auto say = [&](const std::string& map, const std::optional<Verification>& verified) {
-    say_verified(map, verified, session.console);
+    say_verified(map, verified, call.console);
     if (verified) list.push_back(json_of(map, *verified));
   };
   say("irradiance", bake.irradiance_verified);
   for (std::size_t i = 0; i < bake.chain.size(); ++i) say(fmt::format("specular level {}", i), bake.chain[i].verified);
-  if (!list.empty()) session.console.field("verified", std::move(list));
+  if (!list.empty()) call.console.field("verified", std::move(list));
 }
 
 }  // namespace
 
-void run_bake(BakeCommand& command, Session& session) {
+void run_bake(BakeCommand& command, Call& call) {
   const Clock::time_point start = Clock::now();
   if (command.files.engine) command.bake.roughness_map = command.files.engine->roughness_map;
   if (command.roughness_map) command.bake.roughness_map = *command.roughness_map;
   command.files.writer = kProgram;
 
-  Input input = read_input(command.input, session);
+  Input input = read_input(command.input, call);
   const double reading = seconds_since(start);
   OutputFolder folder(command.folder);  // before the work, so that a folder that cannot be is noticed at once
   Bake baked;
   Survey survey;
   {
-    const WholeLight light = whole_light(input, command.input, session);
+    const WholeLight light = whole_light(input, command.input, call);
     survey = light.survey;
     if (command.verify && light.shown)
-      session.console.note("--verify has nothing to compare with when a part is left out");
-    baked = bake(light.environment, light.shown ? &*light.shown : nullptr, command.bake, command.verify, session.run);
+      call.console.note("--verify has nothing to compare with when a part is left out");
+    baked = bake(light.environment, light.shown ? &*light.shown : nullptr, command.bake, command.verify, call.run);
   }
   baked.timings.insert(baked.timings.begin(), {"read", reading});
 
@@ -79,7 +79,7 @@ void run_bake(BakeCommand& command, Session& session) {
 
   BakeOrigin origin;
   origin.program = kProgram;
-  origin.command = session.command;
+  origin.command = call.command;
   origin.command.insert(origin.command.begin(), "zonal");
   origin.name = name_for_people(command.input);
   origin.input = std::move(input.loaded);
@@ -88,21 +88,21 @@ void run_bake(BakeCommand& command, Session& session) {
   for (const BakedFile& file : files) {
     if (file.warning.empty()) continue;
     origin.warnings.push_back(file.warning);
-    session.console.warn(file.warning);
+    call.console.warn(file.warning);
   }
-  say_all_verified(baked, session);
+  say_all_verified(baked, call);
   const std::string recipe = bake_recipe_json(baked, survey, command.bake, command.files, origin, files);
   const std::string page =
-      bake_page_html(page_of(std::move(baked), survey, command.bake, command.files, origin, files), session.run);
+      bake_page_html(page_of(std::move(baked), survey, command.bake, command.files, origin, files), call.run);
   folder.add("index.html", page);
   folder.add("recipe.json", recipe);
-  if (session.run.stop.stop_requested()) throw Error(ErrorKind::kCancelled, "cancelled");
+  if (call.run.stop.stop_requested()) throw Error(ErrorKind::kCancelled, "cancelled");
   folder.commit();
 
   for (const BakedFile& file : files)
-    session.console.wrote(command.folder / file.file.name, file.file.bytes, words_of(file));
-  session.console.wrote(command.folder / "index.html", page.size(), "a page to look at");
-  session.console.wrote(command.folder / "recipe.json", recipe.size(), "settings, hashes, error bounds");
+    call.console.wrote(command.folder / file.file.name, file.file.bytes, words_of(file));
+  call.console.wrote(command.folder / "index.html", page.size(), "a page to look at");
+  call.console.wrote(command.folder / "recipe.json", recipe.size(), "settings, hashes, error bounds");
 }
 
 }  // namespace zonal

@@ -19,6 +19,6 @@ struct BakeCommand {
   bool no_timings = false;
 };
 
-void run_bake(BakeCommand&, Session&);
+void run_bake(BakeCommand&, Call&);
 
 }  // namespace zonal

@@ -122,15 +122,15 @@ void answer(const Comparison& c, const RgbD& got, const RgbD& expected, Console&
   row("worst error", fmt::format("{:.6g}, relative {:.6g}", c.max_error, c.max_relative_error));
 }
 
-void run_compare(const CompareOptions& options, Session& session) {
+void run_compare(const CompareOptions& options, Call& call) {
   if (!options.difference.empty() && options.difference.extension() != ".html" &&
       !can_save_picture(options.difference)) {
     throw Error(ErrorKind::kUsage, options.difference.string() + ": this extension names no format that can be written",
                 "use .png (false colours), .exr, .hdr, .pfm or .html");
   }
   const LoadOptions loading{.max_pixels = options.max_pixels};
-  Picture picture = load_picture(options.picture, loading, session.run),
-          reference = load_picture(options.reference, loading, session.run);
+  Picture picture = load_picture(options.picture, loading, call.run),
+          reference = load_picture(options.reference, loading, call.run);
   const ImageSize size{reference.pixels.width(), reference.pixels.height()};
   if (picture.pixels.width() != size.width || picture.pixels.height() != size.height) {
     throw Error(ErrorKind::kInput,
@@ -139,24 +139,24 @@ void run_compare(const CompareOptions& options, Session& session) {
                             words_of(size)),
                 "bring them to one size and projection first: zonal convert");
   }
-  for (const std::string& note : reference.notes) session.console.note(note);
-  const Comparison result = compare(picture.pixels, reference.pixels, weights_for(options, size, session.console));
+  for (const std::string& note : reference.notes) call.console.note(note);
+  const Comparison result = compare(picture.pixels, reference.pixels, weights_for(options, size, call.console));
   answer(result, RgbD(picture.pixels(result.worst_x, result.worst_y)),
-         RgbD(reference.pixels(result.worst_x, result.worst_y)), session.console);
+         RgbD(reference.pixels(result.worst_x, result.worst_y)), call.console);
   if (!options.difference.empty()) {
-    write_difference(options, std::move(picture.pixels), std::move(reference.pixels), result, session.console);
+    write_difference(options, std::move(picture.pixels), std::move(reference.pixels), result, call.console);
   }
   if (!options.max_error) return;
   const bool differ = !(result.relative_rmse <= *options.max_error) || result.not_finite > 0 || result.texels == 0;
-  session.console.field("within_max_error", !differ);
-  session.console.answer(
+  call.console.field("within_max_error", !differ);
+  call.console.answer(
       fmt::format("{:<14} {}", "verdict", differ ? "the pictures differ" : "the same within --max-error"));
-  if (differ) session.exit_code = 1;
+  if (differ) call.exit_code = 1;
 }
 
 }  // namespace
 
-void add_compare(CLI::App& app, Session& session) {
+void add_compare(CLI::App& app, Call& call) {
   auto options = std::make_shared<CompareOptions>();
   CLI::App& verb =
       *app.add_subcommand("compare", "How far one picture is from another: RMS and relative error, PSNR, worst pixel.");
@@ -175,13 +175,13 @@ void add_compare(CLI::App& app, Session& session) {
                   "exit with code 1 when the relative RMS error is above this, or a pixel is not finite")
       ->check(CLI::NonNegativeNumber)
       ->group("Output");
-  add_run_options(verb, session);
+  add_run_options(verb, call);
   verb.footer(
       "Examples:\n"
       "  zonal compare new.exr old.exr\n"
       "  zonal compare new.exr old.exr -o difference.png\n"
       "  zonal compare new.exr old.exr --max-error 1e-3 && echo same");
-  verb.callback([options, &session] { run_compare(*options, session); });
+  verb.callback([options, &call] { run_compare(*options, call); });
 }
 
 }  // namespace zonal

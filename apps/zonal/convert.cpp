@@ -27,9 +27,9 @@ Environment converted(const Environment& source, const Projection& to, ImageSize
   return resample(source, to, size, resampling, run);
 }
 
-void run_convert(const ConvertOptions& options, Session& session) {
+void run_convert(const ConvertOptions& options, Call& call) {
   if (options.output.to) check_output(options.output, *options.output.to);
-  Input input = read_input(options.input, session);
+  Input input = read_input(options.input, call);
   const Environment& source = input.loaded.environment;
   Projection target = target_of(options.output, source.projection.layout);
   const bool same = !options.output.to || target == source.projection;
@@ -44,13 +44,12 @@ void run_convert(const ConvertOptions& options, Session& session) {
   }
   ResampleOptions resampling = resample_options_of(options.input);
   resampling.supersample = options.supersample;
-  write_map(converted(source, target, size, resampling, session.run), options.output, "radiance", "environment",
-            session);
+  write_map(converted(source, target, size, resampling, call.run), options.output, "radiance", "environment", call);
 }
 
 }  // namespace
 
-void add_convert(CLI::App& app, Session& session) {
+void add_convert(CLI::App& app, Call& call) {
   auto options = std::make_shared<ConvertOptions>();
   CLI::App& verb =
       *app.add_subcommand("convert", "The same light in another projection, size, orientation or file format.");
@@ -60,14 +59,14 @@ void add_convert(CLI::App& app, Session& session) {
                   "samples along each side of a texel; as many as its footprint needs if not said")
       ->check(CLI::Range(1, 64))
       ->group("Output");
-  add_run_options(verb, session);
+  add_run_options(verb, call);
   verb.footer(
       "Examples:\n"
       "  zonal convert sunset.hdr --to cube-cross -o cross.exr\n"
       "  zonal convert sunset.hdr --to cube --size 512 -o faces/\n"
       "  zonal convert cross.png -o 'face_%s.hdr' --to cube\n"
       "  zonal convert sunset.hdr --rotate 90 -o turned.hdr");
-  verb.callback([options, &session] { run_convert(*options, session); });
+  verb.callback([options, &call] { run_convert(*options, call); });
 }
 
 }  // namespace zonal

@@ -7,21 +7,21 @@
 namespace zonal {
 
 Convolved filtered_map(const InputOptions& options, const Lobe& lobe, const Projection& to, ImageSize size,
-                       Session& session) {
-  Input input = read_input(options, session);
-  const WholeLight light = whole_light(input, options, session);
-  Convolved result = convolve(light.environment, lobe, to, size, {}, session.run);
-  if (light.shown) renormalise(result, convolve(*light.shown, lobe, to, size, {}, session.run));
+                       Call& call) {
+  Input input = read_input(options, call);
+  const WholeLight light = whole_light(input, options, call);
+  Convolved result = convolve(light.environment, lobe, to, size, {}, call.run);
+  if (light.shown) renormalise(result, convolve(*light.shown, lobe, to, size, {}, call.run));
   const ConvolveReport& report = result.report;
-  session.console.field("bands", report.bands);
-  session.console.field("points", report.points);
+  call.console.field("bands", report.bands);
+  call.console.field("points", report.points);
   if (report.widened_deg > 0) {
-    session.console.note(fmt::format("the lobe is too sharp for {} bands: it was widened by {:.2g} degrees",
-                                     report.bands, report.widened_deg));
+    call.console.note(fmt::format("the lobe is too sharp for {} bands: it was widened by {:.2g} degrees", report.bands,
+                                  report.widened_deg));
   }
-  session.console.field("widened_deg", report.widened_deg);
-  session.console.field("bound_to_mean", report.bound_to_mean);
-  session.console.field("bound_to_peak", report.bound_to_peak);
+  call.console.field("widened_deg", report.widened_deg);
+  call.console.field("bound_to_mean", report.bound_to_mean);
+  call.console.field("bound_to_peak", report.bound_to_peak);
   return result;
 }
 

@@ -92,26 +92,26 @@ void answer_table(const Input& input, Console& console) {
                       s.sun->irradiance.b, percent(s.sun->energy_share), s.clipped_sun ? "; it looks clipped" : ""));
 }
 
-void run_info(const InputOptions& options, Session& session) {
-  const Input input = read_input(options, session, true);
-  answer_json(input, session.console);
-  answer_table(input, session.console);
+void run_info(const InputOptions& options, Call& call) {
+  const Input input = read_input(options, call, true);
+  answer_json(input, call.console);
+  answer_table(input, call.console);
 }
 
 }  // namespace
 
-void add_info(CLI::App& app, Session& session) {
+void add_info(CLI::App& app, Call& call) {
   auto options = std::make_shared<InputOptions>();
   CLI::App& verb =
       *app.add_subcommand("info", "What a picture holds: size, projection and why, range, mean, doubtful values, sun.");
   add_input_options(verb, *options);
-  add_run_options(verb, session);
+  add_run_options(verb, call);
   verb.footer(
       "Examples:\n"
       "  zonal info sunset.exr\n"
       "  zonal info probe.hdr --from angular\n"
       "  zonal info faces/ --json");
-  verb.callback([options, &session] { run_info(*options, session); });
+  verb.callback([options, &call] { run_info(*options, call); });
 }
 
 }  // namespace zonal

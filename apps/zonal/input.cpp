@@ -77,7 +77,7 @@ ResampleOptions resample_options_of(const InputOptions& options) {
   return resampling;
 }
 
-Input read_input(const InputOptions& options, Session& session, bool any_values) {
+Input read_input(const InputOptions& options, Call& call, bool any_values) {
   EnvironmentLoadOptions loading;
   loading.picture = {options.max_pixels, options.encoding};
   if (options.from) {
@@ -85,31 +85,31 @@ Input read_input(const InputOptions& options, Session& session, bool any_values)
     describe_lens(options, *loading.from);
   }
   Input input;
-  input.loaded = options.paths.size() == 1 ? load_environment(options.paths[0], loading, session.run)
-                                           : load_environment(options.paths, loading, session.run);
+  input.loaded = options.paths.size() == 1 ? load_environment(options.paths[0], loading, call.run)
+                                           : load_environment(options.paths, loading, call.run);
   Environment& environment = input.loaded.environment;
   if (!options.from) {
     describe_lens(options, environment.projection);
-    session.console.note(
+    call.console.note(
         fmt::format("projection {}: {}", name_of(environment.projection.layout), input.loaded.projection_reason));
   }
-  for (const std::string& note : input.loaded.notes) session.console.note(note);
+  for (const std::string& note : input.loaded.notes) call.console.note(note);
 
   input.file_size = size_of(environment);
-  input.survey = survey(environment, session.run);
+  input.survey = survey(environment, call.run);
   if (options.fix) {
     input.repaired = repair(environment);
-    session.console.note(fmt::format("--fix replaced {} texels that were not finite and raised {} negative ones to 0",
-                                     input.repaired.non_finite, input.repaired.negative));
-    if (input.repaired != Repairs{}) input.survey = survey(environment, session.run);
+    call.console.note(fmt::format("--fix replaced {} texels that were not finite and raised {} negative ones to 0",
+                                  input.repaired.non_finite, input.repaired.negative));
+    if (input.repaired != Repairs{}) input.survey = survey(environment, call.run);
   } else if (!any_values) {
     check_finite(input.survey, options.paths[0]);
   }
-  for (const auto& [what, detail] : warnings_of(input.survey)) session.console.warn(what + " " + detail);
+  for (const auto& [what, detail] : warnings_of(input.survey)) call.console.warn(what + " " + detail);
   return input;
 }
 
-WholeLight whole_light(Input& input, const InputOptions& options, Session& session) {
+WholeLight whole_light(Input& input, const InputOptions& options, Call& call) {
   Environment source = std::move(input.loaded.environment);
   input.loaded.environment.projection = source.projection;  // what the record says about the input
   const ResampleOptions resampling = resample_options_of(options);
@@ -117,20 +117,20 @@ WholeLight whole_light(Input& input, const InputOptions& options, Session& sessi
   if (!Mapping(source.projection, size).covers_sphere()) {
     const int rows = panorama_rows(source.projection, size);
     const Projection panorama = {Layout::kEquirect};
-    WholeLight whole{resample(source, panorama, rows, resampling, session.run), {}, {}};
+    WholeLight whole{resample(source, panorama, rows, resampling, call.run), {}, {}};
     if (resampling.uncovered == Uncovered::kBlack)
-      whole.shown = resample(mask_of(source), panorama, rows, resampling, session.run);
-    whole.survey = survey(whole.environment, session.run);
+      whole.shown = resample(mask_of(source), panorama, rows, resampling, call.run);
+    whole.survey = survey(whole.environment, call.run);
     return whole;
   }
   if (resampling.world_from_source == Rotation::identity()) return {std::move(source), {}, input.survey};
   // Quarter turns of cubes and yaws by whole texels change no value.
   std::optional<Environment> turned_light = rearranged(source, source.projection, size, resampling.world_from_source);
   WholeLight whole{
-      turned_light ? std::move(*turned_light) : resample(source, source.projection, size, resampling, session.run),
+      turned_light ? std::move(*turned_light) : resample(source, source.projection, size, resampling, call.run),
       {},
       {}};
-  whole.survey = survey(whole.environment, session.run);
+  whole.survey = survey(whole.environment, call.run);
   return whole;
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/zonal/session.h"
+#include "apps/zonal/call.h"
 #include "zonal/io/environment_file.h"
 #include "zonal/light/resample.h"
 #include "zonal/light/survey.h"
@@ -37,7 +37,7 @@ struct Input {
 
 /// Reads an input, says what was assumed about it, and warns of what is doubtful. Throws Error{kInput} for values that
 /// are not finite, unless they are to be repaired or `any_values`.
-Input read_input(const InputOptions&, Session&, bool any_values = false);
+Input read_input(const InputOptions&, Call&, bool any_values = false);
 
 /// How the options turn the light.
 Rotation rotation_of(const InputOptions&);
@@ -52,7 +52,7 @@ struct WholeLight {
 };
 
 /// Turns the light and fills in what the picture does not show. Takes the pixels out of the input.
-WholeLight whole_light(Input&, const InputOptions&, Session&);
+WholeLight whole_light(Input&, const InputOptions&, Call&);
 
 /// The number of rows of a panorama that is about as fine as this picture.
 int panorama_rows(const Projection&, ImageSize);

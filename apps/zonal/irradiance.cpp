@@ -30,7 +30,7 @@ std::optional<ShQuantity> map_quantity_named(std::string_view name) {
   return quantity == ShQuantity::kRadiance ? std::nullopt : quantity;
 }
 
-void run_irradiance(const IrradianceOptions& options, Session& session) {
+void run_irradiance(const IrradianceOptions& options, Call& call) {
   if (options.shininess && options.quantity) {
     throw Error(ErrorKind::kUsage, "--shininess makes a map of blurred radiance: --quantity has no meaning for it",
                 "leave out one of them");
@@ -39,7 +39,7 @@ void run_irradiance(const IrradianceOptions& options, Session& session) {
   check_output(options.output, to.layout);
   const ImageSize size = target_size(options.output, to, is_cube(to.layout) ? kFaceEdge : kPanoramaHeight);
   const Lobe lobe = options.shininess ? Lobe::phong(*options.shininess) : Lobe::cosine();
-  Convolved result = filtered_map(options.input, lobe, to, size, session);
+  Convolved result = filtered_map(options.input, lobe, to, size, call);
 
   std::string quantity = "radiance", what = "reflection map";
   if (!options.shininess) {
@@ -49,15 +49,14 @@ void run_irradiance(const IrradianceOptions& options, Session& session) {
       for (Rgb& texel : result.map.radiance.values()) texel = static_cast<float>(kPi) * texel;
     }
   }
-  session.console.field("quantity", quantity);
+  call.console.field("quantity", quantity);
   write_map(result.map, options.output, quantity,
-            fmt::format("{} ({}), error bound {:.2g} of the mean", what, quantity, result.report.bound_to_mean),
-            session);
+            fmt::format("{} ({}), error bound {:.2g} of the mean", what, quantity, result.report.bound_to_mean), call);
 }
 
 }  // namespace
 
-void add_irradiance(CLI::App& app, Session& session) {
+void add_irradiance(CLI::App& app, Call& call) {
   auto options = std::make_shared<IrradianceOptions>();
   CLI::App& verb = *app.add_subcommand(
       "irradiance", "The irradiance map, or with --shininess a blurred reflection map, of any projection.");
@@ -70,13 +69,13 @@ void add_irradiance(CLI::App& app, Session& session) {
              "E, or E/pi: what a white matt surface reflects")
       ->group("Light");
   add_output_options(verb, options->output, "128 for panoramas, 64 for cube faces if not said");
-  add_run_options(verb, session);
+  add_run_options(verb, call);
   verb.footer(
       "Examples:\n"
       "  zonal irradiance sunset.hdr -o irradiance.exr\n"
       "  zonal irradiance sunset.hdr -o irradiance.ktx2 --to cube --size 32\n"
       "  zonal irradiance skymap.tga --from fisheye --ground 0.2,0.2,0.2 --shininess 40 -o gloss.png");
-  verb.callback([options, &session] { run_irradiance(*options, session); });
+  verb.callback([options, &call] { run_irradiance(*options, call); });
 }
 
 }  // namespace zonal

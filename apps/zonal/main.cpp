@@ -15,7 +15,7 @@
 
 namespace {
 
-using zonal::Error, zonal::ErrorKind, zonal::Session;
+using zonal::Error, zonal::ErrorKind, zonal::Call;
 
 constexpr int kUsageCode = 2, kInputCode = 3, kInternalCode = 70;
 
@@ -53,17 +53,17 @@ const char* default_hint(ErrorKind kind) {
   return "nothing was written";
 }
 
-void add_verbs(CLI::App& app, Session& session) {
-  zonal::add_bake(app, session);
-  zonal::add_info(app, session);
-  zonal::add_convert(app, session);
-  zonal::add_irradiance(app, session);
-  zonal::add_prefilter(app, session);
-  zonal::add_sh(app, session);
-  zonal::add_dfg(app, session);
-  zonal::add_sky(app, session);
-  zonal::add_testcard(app, session);
-  zonal::add_compare(app, session);
+void add_verbs(CLI::App& app, Call& call) {
+  zonal::add_bake(app, call);
+  zonal::add_info(app, call);
+  zonal::add_convert(app, call);
+  zonal::add_irradiance(app, call);
+  zonal::add_prefilter(app, call);
+  zonal::add_sh(app, call);
+  zonal::add_dfg(app, call);
+  zonal::add_sky(app, call);
+  zonal::add_testcard(app, call);
+  zonal::add_compare(app, call);
 }
 
 /// A first word that is no verb deserves a better answer than a parser's.
@@ -78,20 +78,20 @@ void check_verb(const CLI::App& app, const std::vector<std::string>& words) {
               "did you mean '" + zonal::nearest_word(words[0], verbs) + "'? zonal --help lists all");
 }
 
-int run_command(int argc, char** argv, Session& session) {
+int run_command(int argc, char** argv, Call& call) {
   CLI::App app("Image-based lighting done exactly: any panorama in, light out.", "zonal");
   app.set_version_flag("--version", std::string(zonal::kProgram));
   app.require_subcommand(1);
   app.footer(
       "zonal VERB --help shows the options of a verb and examples.\n\n"
       "Exit codes: 0 success, 1 pictures differ (compare --max-error), 2 usage, 3 input, 4 output, 5 cancelled.");
-  add_verbs(app, session);
-  session.command.assign(argv + 1, argv + argc);
+  add_verbs(app, call);
+  call.command.assign(argv + 1, argv + argc);
   try {
-    check_verb(app, session.command);
+    check_verb(app, call.command);
     app.parse(argc, argv);
-    session.console.finish();
-    return session.exit_code;
+    call.console.finish();
+    return call.exit_code;
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
     const bool verb_known = !app.get_subcommands().empty();
@@ -103,24 +103,24 @@ int run_command(int argc, char** argv, Session& session) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Session session;
-  session.run.stop = zonal::stop_on_interrupt();
+  Call call;
+  call.run.stop = zonal::stop_on_interrupt();
   if (zonal::ProgressBar::possible()) {
-    session.run.progress = [&](std::string_view stage, double fraction) { session.console.progress(stage, fraction); };
+    call.run.progress = [&](std::string_view stage, double fraction) { call.console.progress(stage, fraction); };
   }
   try {
-    return run_command(argc, argv, session);
+    return run_command(argc, argv, call);
   } catch (const Error& e) {
     const auto [kind, exit_code] = describe(e.kind());
-    session.console.fail(kind, e.what(), e.hint().empty() ? default_hint(e.kind()) : e.hint(), exit_code);
+    call.console.fail(kind, e.what(), e.hint().empty() ? default_hint(e.kind()) : e.hint(), exit_code);
     return exit_code;
   } catch (const std::bad_alloc&) {
-    session.console.fail("input", "there is not enough memory for this", "use a smaller picture or a smaller size",
-                         kInputCode);
+    call.console.fail("input", "there is not enough memory for this", "use a smaller picture or a smaller size",
+                      kInputCode);
     return kInputCode;
   } catch (const std::exception& e) {
-    session.console.fail("internal", fmt::format("this is an error of the program: {}", e.what()),
-                         "please report it with the command that caused it", kInternalCode);
+    call.console.fail("internal", fmt::format("this is an error of the program: {}", e.what()),
+                      "please report it with the command that caused it", kInternalCode);
     return kInternalCode;
   }
 }

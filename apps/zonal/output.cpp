@@ -33,34 +33,34 @@ Environment as_stack(const Environment& cube) {
   return std::move(*stack);
 }
 
-void warn_of_clipping(std::int64_t clipped, const fs::path& path, const std::string& hint, Session& session) {
+void warn_of_clipping(std::int64_t clipped, const fs::path& path, const std::string& hint, Call& call) {
   if (clipped == 0) return;
-  session.console.warn(fmt::format("{}: {} pixels are outside what the format holds and were clipped; {}",
-                                   path.string(), clipped, hint));
+  call.console.warn(fmt::format("{}: {} pixels are outside what the format holds and were clipped; {}", path.string(),
+                                clipped, hint));
 }
 
-void write_ktx2(const Environment& map, const OutputOptions& options, const std::string& quantity, Session& session) {
+void write_ktx2(const Environment& map, const OutputOptions& options, const std::string& quantity, Call& call) {
   const bool cube = is_cube(map.projection.layout);
   TextureChain texture{cube ? TextureShape::kCube : TextureShape::kPicture, {}};
   texture.levels.push_back(cube ? as_stack(map).radiance : map.radiance);
   Ktx2Options ktx2{.format = options.float32 ? TexelFormat::kRgba32f : TexelFormat::kRgba16f, .writer = kProgram};
   ktx2.metadata = {{"zonal:quantity", quantity}, {"zonal:projection", std::string(name_of(map.projection.layout))}};
   warn_of_clipping(static_cast<std::int64_t>(save_ktx2(options.path, texture, ktx2)), options.path,
-                   "--float32 keeps them", session);
+                   "--float32 keeps them", call);
 }
 
 void write_faces(const Environment& map, const OutputOptions& options, const SaveOptions& saving,
-                 const std::string& what, Session& session) {
+                 const std::string& what, Call& call) {
   const fs::path pattern = is_folder(options.path) ? options.path / "%s.exr" : options.path;
   OutputFolder folder(pattern.has_parent_path() ? pattern.parent_path() : fs::path("."));
   const SaveReport report = save_environment(as_stack(map), pattern, saving);
   folder.commit();
-  warn_of_clipping(report.clipped_pixels, pattern, "EXR keeps them", session);
+  warn_of_clipping(report.clipped_pixels, pattern, "EXR keeps them", call);
   for (const std::string_view face : kFaceNames) {
     std::string name = pattern.filename().string();
     name.replace(name.find("%s"), 2, face);
     const fs::path path = pattern.parent_path() / name;
-    session.console.wrote(path, fs::file_size(path), fmt::format("{}, face {}", what, face));
+    call.console.wrote(path, fs::file_size(path), fmt::format("{}, face {}", what, face));
   }
 }
 
@@ -93,22 +93,21 @@ void check_output(const OutputOptions& options, Layout layout) {
 }
 
 void write_map(const Environment& map, const OutputOptions& options, const std::string& quantity,
-               const std::string& what, Session& session) {
+               const std::string& what, Call& call) {
   const SaveOptions saving{.png_bits = options.png16 ? 16 : 8, .exr_half = options.half};
   const ImageSize size{map.radiance.width(), map.radiance.height()};
   const std::string words = fmt::format("{}, {} {}", what, name_of(map.projection.layout), words_of(size));
-  if (session.run.stop.stop_requested()) throw Error(ErrorKind::kCancelled, "cancelled");
+  if (call.run.stop.stop_requested()) throw Error(ErrorKind::kCancelled, "cancelled");
   if (is_six_files(options.path)) {
-    write_faces(map, options, saving, words, session);
+    write_faces(map, options, saving, words, call);
     return;
   }
   if (is_ktx2(options.path)) {
-    write_ktx2(map, options, quantity, session);
+    write_ktx2(map, options, quantity, call);
   } else {
-    warn_of_clipping(save_environment(map, options.path, saving).clipped_pixels, options.path, "EXR keeps them",
-                     session);
+    warn_of_clipping(save_environment(map, options.path, saving).clipped_pixels, options.path, "EXR keeps them", call);
   }
-  session.console.wrote(options.path, fs::file_size(options.path), words);
+  call.console.wrote(options.path, fs::file_size(options.path), words);
 }
 
 std::string words_of(ImageSize size) { return fmt::format("{}x{}", size.width, size.height); }

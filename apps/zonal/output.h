@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "apps/zonal/session.h"
+#include "apps/zonal/call.h"
 #include "zonal/light/environment.h"
 
 namespace zonal {
@@ -28,8 +28,7 @@ void check_output(const OutputOptions&, Layout);
 
 /// Writes a map: by extension as a picture or KTX2; six files for cubes, when the path is a folder or holds "%s". Says
 /// what was written, and what the format could not hold. `quantity` for the metadata, `what` for the user.
-void write_map(const Environment&, const OutputOptions&, const std::string& quantity, const std::string& what,
-               Session&);
+void write_map(const Environment&, const OutputOptions&, const std::string& quantity, const std::string& what, Call&);
 
 /// "256x128".
 std::string words_of(ImageSize);

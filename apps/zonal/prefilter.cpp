@@ -54,22 +54,22 @@ Lobe lobe_of(const PrefilterOptions& o) {
   wrong_parameter(o.lobe, "another parameter");
 }
 
-void run_prefilter(const PrefilterOptions& options, Session& session) {
+void run_prefilter(const PrefilterOptions& options, Call& call) {
   const Lobe lobe = lobe_of(options);
   const Projection to = target_of(options.output, Layout::kEquirect);
   check_output(options.output, to.layout);
   const ImageSize size = target_size(options.output, to, is_cube(to.layout) ? kFaceEdge : kPanoramaHeight);
-  const Convolved result = filtered_map(options.input, lobe, to, size, session);
-  session.console.field("lobe", name_of(lobe.kind()));
-  session.console.field("parameter", lobe.parameter());
+  const Convolved result = filtered_map(options.input, lobe, to, size, call);
+  call.console.field("lobe", name_of(lobe.kind()));
+  call.console.field("parameter", lobe.parameter());
   write_map(result.map, options.output, "radiance",
             fmt::format("{} map, error bound {:.2g} of the mean", name_of(lobe.kind()), result.report.bound_to_mean),
-            session);
+            call);
 }
 
 }  // namespace
 
-void add_prefilter(CLI::App& app, Session& session) {
+void add_prefilter(CLI::App& app, Call& call) {
   auto options = std::make_shared<PrefilterOptions>();
   CLI::App& verb = *app.add_subcommand("prefilter", "The environment seen through one lobe, in any projection.");
   add_input_options(verb, options->input);
@@ -84,13 +84,13 @@ void add_prefilter(CLI::App& app, Session& session) {
   verb.add_option("--angle", options->angle_deg, "cone: half its angle; gaussian: its standard deviation; in degrees")
       ->group(kGroup);
   add_output_options(verb, options->output, "256 for panoramas, 128 for cube faces if not said");
-  add_run_options(verb, session);
+  add_run_options(verb, call);
   verb.footer(
       "Examples:\n"
       "  zonal prefilter sunset.hdr --roughness 0.4 -o gloss.exr\n"
       "  zonal prefilter sunset.hdr --lobe phong --exponent 50 --to cube -o gloss.ktx2\n"
       "  zonal prefilter sunset.hdr --lobe gaussian --angle 3 --size 1024 -o blurred.hdr");
-  verb.callback([options, &session] { run_prefilter(*options, session); });
+  verb.callback([options, &call] { run_prefilter(*options, call); });
 }
 
 }  // namespace zonal

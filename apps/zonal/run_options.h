@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/zonal/session.h"
+#include "apps/zonal/call.h"
 
 namespace CLI {
 class App;
@@ -9,6 +9,6 @@ class App;
 namespace zonal {
 
 /// --threads, --isa, --quiet, --json: every verb has them.
-void add_run_options(CLI::App&, Session&);
+void add_run_options(CLI::App&, Call&);
 
 }  // namespace zonal

@@ -34,12 +34,12 @@ constexpr std::array kLanguages = {ShaderLanguage::kGlsl, ShaderLanguage::kHlsl,
 
 /// The coefficients of an input; of the part that it shows, scaled up to the whole sphere, when the rest is to be left
 /// out.
-Sh<RgbD> coefficients_of(const ShOptions& options, Session& session) {
-  Input input = read_input(options.input, session);
-  const WholeLight light = whole_light(input, options.input, session);
-  Sh<RgbD> sh = project(light.environment, options.bands, session.run);
+Sh<RgbD> coefficients_of(const ShOptions& options, Call& call) {
+  Input input = read_input(options.input, call);
+  const WholeLight light = whole_light(input, options.input, call);
+  Sh<RgbD> sh = project(light.environment, options.bands, call.run);
   if (light.shown) {
-    const double shown_share = project(*light.shown, 1, session.run)(0, 0).r / std::sqrt(4 * kPi);
+    const double shown_share = project(*light.shown, 1, call.run)(0, 0).r / std::sqrt(4 * kPi);
     if (shown_share > 0) sh *= 1 / shown_share;
   }
   return sh;
@@ -67,11 +67,11 @@ std::string shader_of(const ShOptions& options, ShFile sh) {
   return shader_text(sh, shader);
 }
 
-void run_sh(const ShOptions& options, Session& session) {
+void run_sh(const ShOptions& options, Call& call) {
   const bool shader = options.glsl || options.shader.has_value();
-  const ShFile radiance{ShQuantity::kRadiance, coefficients_of(options, session)};
+  const ShFile radiance{ShQuantity::kRadiance, coefficients_of(options, call)};
   const ShFile wanted = to_quantity(radiance, options.quantity);
-  Console& console = session.console;
+  Console& console = call.console;
   std::string text = shader           ? shader_of(options, radiance)
                      : options.engine ? engine_text(radiance, *options.engine)
                                       : sh_json_text(wanted);
@@ -97,7 +97,7 @@ void run_sh(const ShOptions& options, Session& session) {
 
 }  // namespace
 
-void add_sh(CLI::App& app, Session& session) {
+void add_sh(CLI::App& app, Call& call) {
   auto options = std::make_shared<ShOptions>();
   CLI::App& verb = *app.add_subcommand(
       "sh", "Spherical-harmonic coefficients, as JSON, as a shader function or as an engine wants them.");
@@ -125,14 +125,14 @@ void add_sh(CLI::App& app, Session& session) {
       "one line r g b for each coefficient, in the axes, order and quantity of a program; shaders in its axes")
       ->group(kGroup);
   verb.add_option("-o,--output", options->path, "file to write; standard output if not said")->group("Output");
-  add_run_options(verb, session);
+  add_run_options(verb, call);
   verb.footer(
       "Examples:\n"
       "  zonal sh sunset.hdr\n"
       "  zonal sh sunset.hdr --quantity irradiance --glsl -o irradiance.glsl\n"
       "  zonal sh sunset.hdr --engine filament -o sh.txt\n"
       "  zonal sh sunset.hdr --bands 6 -o sh.json");
-  verb.callback([options, &session] { run_sh(*options, session); });
+  verb.callback([options, &call] { run_sh(*options, call); });
 }
 
 }  // namespace zonal

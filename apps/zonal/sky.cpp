@@ -96,20 +96,20 @@ Environment painted(const SkyOptions& o, Sky sky, const Projection& to, ImageSiz
   return checker(to, size, o.step_deg.value_or(15), radiance, run);
 }
 
-void run_sky(const SkyOptions& options, Session& session) {
+void run_sky(const SkyOptions& options, Call& call) {
   const Sky sky = sky_named(options.kind);
   check_parameters(options, sky);
   const Projection to = target_of(options.output, Layout::kEquirect);
   check_output(options.output, to.layout);
   const int fallback = is_cube(to.layout) ? kFaceEdge : kPanoramaHeight;
   const ImageSize size = image_size(to.layout, options.output.size_px > 0 ? options.output.size_px : fallback);
-  session.console.field("sky", options.kind);
-  write_map(painted(options, sky, to, size, session.run), options.output, "radiance", options.kind + " sky", session);
+  call.console.field("sky", options.kind);
+  write_map(painted(options, sky, to, size, call.run), options.output, "radiance", options.kind + " sky", call);
 }
 
 }  // namespace
 
-void add_sky(CLI::App& app, Session& session) {
+void add_sky(CLI::App& app, Call& call) {
   auto options = std::make_shared<SkyOptions>();
   CLI::App& verb = *app.add_subcommand("sky", "A built-in sky: daylight, furnace, gradient, sun or checker.");
   constexpr const char* kGroup = "Sky";
@@ -135,13 +135,13 @@ void add_sky(CLI::App& app, Session& session) {
   verb.add_option("--radiance", options->radiance, "furnace, sun, checker: of the sky or the white squares, R,G,B")
       ->group(kGroup);
   add_output_options(verb, options->output, "512 for panoramas, 256 for cube faces if not said");
-  add_run_options(verb, session);
+  add_run_options(verb, call);
   verb.footer(
       "Examples:\n"
       "  zonal sky daylight --elevation 20 --turbidity 4 -o evening.exr\n"
       "  zonal sky sun --diameter 0.53 --contrast 1e6 -o sun.exr\n"
       "  zonal sky furnace --to cube --size 64 -o white.ktx2");
-  verb.callback([options, &session] { run_sky(*options, session); });
+  verb.callback([options, &call] { run_sky(*options, call); });
 }
 
 }  // namespace zonal

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/zonal/session.h"
+#include "apps/zonal/call.h"
 
 namespace CLI {
 class App;
@@ -10,15 +10,15 @@ namespace zonal {
 
 // Each adds one verb to the command, with its options, examples and what it does.
 
-void add_bake(CLI::App&, Session&);
-void add_info(CLI::App&, Session&);
-void add_convert(CLI::App&, Session&);
-void add_irradiance(CLI::App&, Session&);
-void add_prefilter(CLI::App&, Session&);
-void add_sh(CLI::App&, Session&);
-void add_dfg(CLI::App&, Session&);
-void add_sky(CLI::App&, Session&);
-void add_testcard(CLI::App&, Session&);
-void add_compare(CLI::App&, Session&);
+void add_bake(CLI::App&, Call&);
+void add_info(CLI::App&, Call&);
+void add_convert(CLI::App&, Call&);
+void add_irradiance(CLI::App&, Call&);
+void add_prefilter(CLI::App&, Call&);
+void add_sh(CLI::App&, Call&);
+void add_dfg(CLI::App&, Call&);
+void add_sky(CLI::App&, Call&);
+void add_testcard(CLI::App&, Call&);
+void add_compare(CLI::App&, Call&);
 
 }  // namespace zonal

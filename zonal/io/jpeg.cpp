@@ -19,7 +19,7 @@ namespace {
 constexpr int kMaxScans = 500;
 
 /// What libjpeg calls back into. Plain memory: its errors jump over everything.
-struct Session {
+struct Decoding {
   jpeg_decompress_struct jpeg = {};
   jpeg_error_mgr errors = {};
   jpeg_source_mgr source = {};
@@ -32,13 +32,13 @@ struct Session {
   int warnings = 0;
 };
 
-Session& session_of(j_common_ptr jpeg) { return *static_cast<Session*>(jpeg->client_data); }
-Session& session_of(j_decompress_ptr jpeg) { return *static_cast<Session*>(jpeg->client_data); }
+Decoding& decoding_of(j_common_ptr jpeg) { return *static_cast<Decoding*>(jpeg->client_data); }
+Decoding& decoding_of(j_decompress_ptr jpeg) { return *static_cast<Decoding*>(jpeg->client_data); }
 
 [[noreturn]] void jump_out(j_common_ptr jpeg) {
-  Session& session = session_of(jpeg);
-  jpeg->err->format_message(jpeg, session.message.data());
-  std::longjmp(session.jump, 1);
+  Decoding& decoding = decoding_of(jpeg);
+  jpeg->err->format_message(jpeg, decoding.message.data());
+  std::longjmp(decoding.jump, 1);
 }
 
 [[noreturn]] void on_error(j_common_ptr jpeg) { jump_out(jpeg); }
@@ -47,36 +47,36 @@ void on_message(j_common_ptr jpeg, int level) {
   if (level >= 0) return;  // tracing
   // The entropy decoder ran into a marker and would invent the rest of the picture.
   if (jpeg->err->msg_code == JWRN_HIT_MARKER) jump_out(jpeg);
-  Session& session = session_of(jpeg);
-  if (session.warnings++ == 0) jpeg->err->format_message(jpeg, session.message.data());
+  Decoding& decoding = decoding_of(jpeg);
+  if (decoding.warnings++ == 0) jpeg->err->format_message(jpeg, decoding.message.data());
 }
 
 void on_output(j_common_ptr) {}
 
 void on_progress(j_common_ptr jpeg) {
   if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number <= kMaxScans) return;
-  Session& session = session_of(jpeg);
-  std::snprintf(session.message.data(), session.message.size(), "it has more than %d scans", kMaxScans);
-  std::longjmp(session.jump, 1);
+  Decoding& decoding = decoding_of(jpeg);
+  std::snprintf(decoding.message.data(), decoding.message.size(), "it has more than %d scans", kMaxScans);
+  std::longjmp(decoding.jump, 1);
 }
 
 void on_start(j_decompress_ptr) {}
 void on_end(j_decompress_ptr) {}
 
 boolean on_more(j_decompress_ptr jpeg) {
-  Session& session = session_of(jpeg);
-  const std::size_t count = session.reader->read_some(std::as_writable_bytes(std::span(session.buffer)));
+  Decoding& decoding = decoding_of(jpeg);
+  const std::size_t count = decoding.reader->read_some(std::as_writable_bytes(std::span(decoding.buffer)));
   if (count == 0) {
-    session.ended_early = true;
-    std::longjmp(session.jump, 1);
+    decoding.ended_early = true;
+    std::longjmp(decoding.jump, 1);
   }
-  session.source.next_input_byte = session.buffer.data();
-  session.source.bytes_in_buffer = count;
+  decoding.source.next_input_byte = decoding.buffer.data();
+  decoding.source.bytes_in_buffer = count;
   return TRUE;
 }
 
 void on_skip(j_decompress_ptr jpeg, long count) {
-  jpeg_source_mgr& source = session_of(jpeg).source;
+  jpeg_source_mgr& source = decoding_of(jpeg).source;
   while (count > static_cast<long>(source.bytes_in_buffer)) {
     count -= static_cast<long>(source.bytes_in_buffer);
     on_more(jpeg);
@@ -127,7 +127,7 @@ class JpegReader {
   }
 
  private:
-  Session session_;
+  Decoding session_;
 };
 
 void note_orientation(const jpeg_decompress_struct& jpeg, Picture& picture) {

@@ -10,7 +10,7 @@
 namespace zonal {
 
 /// One call of the command.
-struct Session {
+struct Call {
   Console console;
   Run run;                           ///< how long verbs run: threads, stop on interrupt, progress
   std::vector<std::string> command;  ///< the words that were typed, without the program
