@@ -84,3 +84,24 @@ function(zonal_floor name)
     zonal_test(${name}_test SOURCES ${tests} LIBS ${target} ${ARG_PRIVATE})
   endif()
 endfunction()
+
+# The files of zonal/view/FOLDER with these EXTENSIONS as text inside the library: the function NAME of zonal/view/NAME.h.
+function(zonal_embed target folder name type)
+  set(from ${PROJECT_SOURCE_DIR}/zonal/view/${folder})
+  set(output ${PROJECT_BINARY_DIR}/${name}.cpp)
+  set(patterns ${ARGN})
+  list(TRANSFORM patterns PREPEND ${from}/*.)
+  file(GLOB texts CONFIGURE_DEPENDS ${patterns})
+  string(REPLACE ";" " " extensions "${ARGN}")
+  add_custom_command(OUTPUT ${output}
+    COMMAND ${CMAKE_COMMAND} -DFOLDER=${from} -DEXTENSIONS=${extensions} -DNAME=${name} -DTYPE=${type} -DOUTPUT=${output}
+            -P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
+    DEPENDS ${texts} ${PROJECT_SOURCE_DIR}/cmake/embed.cmake VERBATIM)
+  target_sources(${target} PRIVATE ${output})
+endfunction()
+
+# The shader bodies of zonal/view/shaders and the parts of the page.
+function(zonal_embed_shaders target)
+  zonal_embed(${target} shaders shader_bodies ShaderBody glsl)
+  zonal_embed(${target} page page_parts PagePart html css js)
+endfunction()

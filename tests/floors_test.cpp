@@ -26,7 +26,9 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"sht", {"base", "math", "sh"}},
     {"light", {"base", "math", "sphere", "image", "sh", "sht"}},
     {"io", {"base", "math", "sphere", "image", "sh", "sht", "light"}},
-    {"report", {"base", "math", "sphere", "image", "sh", "sht", "light", "io"}},
+    {"view", {"base", "math", "sphere", "image", "sh", "sht", "light", "io"}},
+    {"report", {"base", "math", "sphere", "image", "sh", "sht", "light", "io", "view"}},
+    {"gl", {"base", "math", "sphere", "image", "sh", "sht", "light", "io", "view"}},
 };
 
 std::vector<fs::path> sources(const std::vector<std::string>& folders) {

@@ -1,0 +1,174 @@
+#include "zonal/gl/scene.h"
+
+#include <epoxy/gl.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "zonal/gl/target.h"
+#include "zonal/view/shader_source.h"
+
+namespace zonal {
+namespace {
+
+// Values of the uniform `measure`, beside those of Measured.
+constexpr int kColors = 0, kSquares = 1;
+
+void add_attribute(std::uint32_t place, int components, std::size_t offset) {
+  glEnableVertexAttribArray(place);
+  glVertexAttribPointer(place, components, GL_FLOAT, GL_FALSE, sizeof(Vertex), reinterpret_cast<const void*>(offset));
+}
+
+}  // namespace
+
+Scene::Scene() {
+  glGenVertexArrays(1, &empty_array_);
+  glGenVertexArrays(1, &mesh_array_);
+  glGenBuffers(1, &vertices_);
+  glGenBuffers(1, &indices_);
+  glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  background_.emplace(background_vertex_shader(ShaderHome::kDesktop), background_fragment_shader(ShaderHome::kDesktop),
+                      "the background");
+}
+
+Scene::~Scene() {
+  glDeleteVertexArrays(1, &empty_array_);
+  glDeleteVertexArrays(1, &mesh_array_);
+  glDeleteBuffers(1, &vertices_);
+  glDeleteBuffers(1, &indices_);
+}
+
+void Scene::set_light(const ViewData& data) {
+  textures_.clear();
+  for (const ViewTexture& texture : data.textures) textures_.try_emplace(texture.name, texture);
+  uniforms_ = data.uniforms;
+}
+
+void Scene::set_mesh(const Mesh& mesh) {
+  glBindVertexArray(mesh_array_);
+  glBindBuffer(GL_ARRAY_BUFFER, vertices_);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(Vertex)), mesh.vertices.data(),
+               GL_STATIC_DRAW);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)),
+               mesh.indices.data(), GL_STATIC_DRAW);
+  add_attribute(0, 3, offsetof(Vertex, position));
+  add_attribute(1, 3, offsetof(Vertex, normal));
+  add_attribute(2, 2, offsetof(Vertex, uv));
+  index_count_ = static_cast<int>(mesh.indices.size());
+}
+
+const GpuProgram& Scene::program_of(const Technique& technique) {
+  auto found = programs_.find(technique.id);
+  if (found == programs_.end()) {
+    GpuProgram program(mesh_vertex_shader(ShaderHome::kDesktop),
+                          technique_fragment_shader(ShaderHome::kDesktop, technique), technique.title);
+    found = programs_.emplace(technique.id, std::move(program)).first;
+  }
+  return found->second;
+}
+
+void Scene::set_shared(const GpuProgram& program, const ViewState& state, int width, int height,
+                       int measure) const {
+  program.use();
+  int unit = 0;
+  for (const auto& [name, texture] : textures_) {
+    texture.bind(unit);
+    program.set(name.c_str(), unit++);
+  }
+  for (const ViewUniform& uniform : uniforms_) {
+    program.set_vectors(uniform.name.c_str(), uniform.components, uniform.values);
+  }
+  for (const Control& control : all_controls()) {
+    const double value = state.value(control.name);
+    const std::string name(control.name);
+    if (control.kind == ControlKind::kSlider) {
+      program.set(name.c_str(), static_cast<float>(value));
+    } else {
+      program.set(name.c_str(), static_cast<int>(value));
+    }
+  }
+  const CameraMatrices camera = camera_matrices(state.camera, static_cast<double>(width) / height);
+  const auto f = [](double x) { return static_cast<float>(x); };
+  program.set_matrix("clip_from_world", camera.clip_from_world);
+  program.set_matrix("world_from_clip", camera.world_from_clip);
+  program.set_matrix("eye_from_world", camera.eye_from_world);
+  const float eye[] = {f(camera.eye.x), f(camera.eye.y), f(camera.eye.z)};
+  program.set_vectors("eye", 3, eye);
+  const double turn = radians(state.value("light_yaw_deg"));
+  const float c = f(std::cos(turn)), s = f(std::sin(turn));
+  const float light_from_world[] = {c, -s, 0, s, c, 0, 0, 0, 1};
+  program.set_matrix("light_from_world", light_from_world);
+  program.set("split_px", 0.5f * static_cast<float>(width));
+  program.set("measure", measure);
+}
+
+void Scene::draw_mesh(const ViewState& state, int width, int height, int measure) {
+  set_shared(program_of(*state.technique), state, width, height, measure);
+  glBindVertexArray(mesh_array_);
+  glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+}
+
+void Scene::draw_background(const ViewState& state, int width, int height, int measure) {
+  set_shared(*background_, state, width, height, measure);
+  glBindVertexArray(empty_array_);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void Scene::draw(const ViewState& state, int width, int height) {
+  glViewport(0, 0, width, height);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glClear(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT);
+  draw_mesh(state, width, height, kColors);
+  draw_background(state, width, height, kColors);  // last, so that only what is seen of it is drawn
+}
+
+Difference Scene::difference(const ViewState& state, int width, int height) {
+  int bound = 0;
+  glGetIntegerv(GL_FRAMEBUFFER_BINDING, &bound);
+  const DrawTarget target(width, height);
+  target.bind();
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glClearColor(0, 0, -1, 0);  // blue tells the pixels that the object covers: it writes 0
+  glClear(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT);
+  glClearColor(0, 0, 0, 0);
+  draw_mesh(state, width, height, kSquares);
+  double error = 0, truth = 0;
+  Difference difference;
+  const Image<Rgb> squares = target.read();
+  for (const Rgb& square : squares.values()) {
+    if (square.b != 0) continue;
+    ++difference.pixels;
+    error += square.r;
+    truth += square.g;
+  }
+  if (truth > 0) difference.rms = std::sqrt(error / truth);
+  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<std::uint32_t>(bound));
+  return difference;
+}
+
+Image<Rgb> Scene::values(const ViewState& state, Measured what, int width, int height) {
+  int bound = 0;
+  glGetIntegerv(GL_FRAMEBUFFER_BINDING, &bound);
+  const DrawTarget target(width, height);
+  target.bind();
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
+  glClearColor(kNowhere, kNowhere, kNowhere, 0);
+  glClear(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT);
+  glClearColor(0, 0, 0, 0);
+  if (what == Measured::kBackground) {
+    draw_background(state, width, height, static_cast<int>(what));
+  } else {
+    draw_mesh(state, width, height, static_cast<int>(what));
+  }
+  Image<Rgb> picture = target.read();
+  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<std::uint32_t>(bound));
+  return picture;
+}
+
+}  // namespace zonal

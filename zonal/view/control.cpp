@@ -1,0 +1,56 @@
+#include "zonal/view/control.h"
+
+#include <array>
+#include <string_view>
+
+#include "zonal/base/check.h"
+
+namespace zonal {
+namespace {
+
+constexpr std::array<std::string_view, 2> kToneCurves = {"Reinhard", "cut off at white"};
+constexpr std::array<std::string_view, 4> kComparisons = {"the technique", "the exact answer", "the difference",
+                                                          "left and right"};
+constexpr std::array<std::string_view, 3> kAmbient = {"off", "on", "reflectance of the surface"};
+constexpr std::array<std::string_view, 2> kViewpoints = {"the eye's (as in the lecture)", "the mirrored direction"};
+constexpr std::array<std::string_view, 4> kWindows = {"none", "Hann", "Lanczos", "Laplacian"};
+
+constexpr std::size_t kCommon = 6;
+constexpr Control kControls[] = {
+    {.name = "exposure_ev", .label = "exposure, EV", .least = -12, .greatest = 12, .step = 0.25},
+    {.name = "tone_curve", .label = "tone curve", .kind = ControlKind::kChoice, .greatest = 1, .choices = kToneCurves},
+    {.name = "light_yaw_deg", .label = "light turned, degrees", .least = -180, .greatest = 180, .step = 1},
+    {.name = "compare", .label = "show", .kind = ControlKind::kChoice, .greatest = 3, .choices = kComparisons},
+    {.name = "difference_gain", .label = "difference times", .least = 1, .greatest = 32, .initial = 4, .step = 1},
+    {.name = "albedo", .label = "albedo", .initial = 0.8, .step = 0.05},
+    // of single techniques
+    {.name = "ambient_light", .label = "ambient light", .kind = ControlKind::kChoice, .greatest = 2, .initial = 1,
+     .choices = kAmbient},
+    {.name = "viewpoint", .label = "looked up by", .kind = ControlKind::kChoice, .greatest = 1, .choices = kViewpoints},
+    {.name = "bump_depth", .label = "bump depth", .greatest = 2, .initial = 1, .step = 0.05},
+    {.name = "highlight_strength", .label = "highlight strength", .greatest = 2, .initial = 1, .step = 0.05},
+    {.name = "blur_level", .label = "blur, halvings of the picture", .greatest = 8, .initial = 4, .step = 0.1},
+    {.name = "shininess", .label = "shininess", .least = 1, .greatest = 512, .initial = 20, .step = 1},
+    {.name = "roughness", .label = "roughness", .initial = 0.5, .step = 0.01},
+    {.name = "f0", .label = "reflectance at normal incidence", .initial = 1, .step = 0.01},
+    {.name = "bands", .label = "bands", .least = 1, .greatest = 6, .initial = 3, .step = 1},
+    {.name = "window_kind", .label = "window", .kind = ControlKind::kChoice, .greatest = 3, .choices = kWindows},
+    {.name = "window_strength", .label = "window strength", .initial = 0.5, .step = 0.02},
+    {.name = "tint_negative", .label = "tint negative light", .kind = ControlKind::kToggle, .greatest = 1, .initial = 1},
+    {.name = "light_count", .label = "lights", .least = 0, .greatest = 3, .initial = 3, .step = 1},
+};
+
+}  // namespace
+
+std::span<const Control> all_controls() { return kControls; }
+std::span<const Control> common_controls() { return all_controls().first(kCommon); }
+
+const Control& control_named(std::string_view name) {
+  for (const Control& control : kControls) {
+    if (control.name == name) return control;
+  }
+  check(false, "there is no control of this name");
+  return kControls[0];
+}
+
+}  // namespace zonal

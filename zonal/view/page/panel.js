@@ -1,0 +1,87 @@
+// Everything beside the picture: choices, words, numbers, messages.
+
+class Panel {
+  constructor(root, data, settings, changed) {
+    this.data = data;
+    this.settings = settings;
+    this.shown = new Map();  // name -> {element, show}
+    const input = (name, part) => { this.shown.set(name, part); return part.element; };
+    const control = (field) => input(field.name, controlInput(field, changed));
+    const named = (name) => data.controls.find((field) => field.name === name);
+
+    this.canvas = made('canvas', {tabIndex: 0, role: 'img'});
+    this.canvas.setAttribute('aria-describedby', 'zv-keys');
+    const compare = named('compare');
+    this.sides = made('div', {class: 'zv-sides', hidden: true}, made('span', {}, compare.choices[0]), made('span', {}, compare.choices[1]));
+    this.sides.setAttribute('aria-hidden', 'true');
+    this.number = made('output', {class: 'zv-number'});
+    this.gain = control(named('difference_gain'));
+    const stage = made('div', {class: 'zv-stage'}, made('div', {class: 'zv-picture'}, this.canvas, this.sides),
+        made('div', {class: 'zv-bar'}, input('compare', optionsInput(compare, changed)), this.gain, this.number),
+        made('span', {class: 'zv-unseen', id: 'zv-keys'}, 'Arrow keys turn the eye about the object, plus and minus bring it nearer and farther.'));
+
+    const groups = new Map();
+    for (const {group, id, title} of data.techniques) groups.set(group, [...(groups.get(group) ?? []), [id, title]]);
+    [this.explanation, this.formula, this.source] = [made('p', {}), made('p', {class: 'zv-formula'}), made('p', {class: 'zv-source'})];
+    const inBar = ['compare', 'difference_gain'], others = data.controls.filter((field) => !inBar.includes(field.name));
+    const own = others.filter((field) => !field.common).map((field) => control(field));
+    this.notices = made('div', {class: 'zv-notices', role: 'alert'});
+    const panel = made('div', {class: 'zv-panel'},
+        input('technique', selectInput('technique', 'Technique', [...groups], changed)),
+        made('div', {class: 'zv-words'}, this.explanation, this.formula, this.source),
+        ...own,
+        input('mesh', selectInput('mesh', 'Object', [['', data.meshes.map(({name}) => [name, name.replaceAll('-', ' ')])]], changed)),
+        ...others.filter((field) => field.common).map((field) => control(field)),
+        made('details', {}, made('summary', {}, 'Eye'), ...data.camera.map((field) => control(field))),
+        made('p', {}, made('button', {type: 'button', onclick: () => changed()}, 'All as at first')),
+        made('p', {class: 'zv-note'}, data.note));
+    const header = made('header', {}, made('h1', {}, data.title), made('p', {class: 'zv-subtitle'}, data.subtitle));
+    root.replaceChildren(...(data.embedded ? [] : [header]), this.notices, stage, panel);
+  }
+
+  // Everything as the settings are.
+  show() {
+    const values = this.settings.values, technique = this.data.techniques.find((t) => t.id === values.technique);
+    for (const [name, part] of this.shown) part.show(values[name]);
+    for (const field of this.data.controls) {
+      if (!field.common) this.shown.get(field.name).element.hidden = !technique.controls.includes(field.name);
+    }
+    this.gain.hidden = values.compare !== 2;
+    this.sides.hidden = values.compare !== 3;
+    this.explanation.textContent = technique.explanation;
+    this.formula.textContent = technique.formula;
+    this.source.textContent = technique.source;
+    this.technique = technique;
+    this.describe();
+  }
+
+  // rms: a number, or words that say why there is none.
+  difference(rms) {
+    if (typeof rms === 'string') {
+      this.number.textContent = rms;
+    } else {
+      const percent = rms === 0 ? '0' : Number((100 * rms).toPrecision(2)).toString();
+      this.number.replaceChildren('difference to the exact answer ', made('b', {}, percent + ' %'));
+    }
+    this.number.title = 'Root mean square of the difference over that of the exact answer, on the object, in linear light.';
+    this.describe();
+  }
+
+  describe() {
+    const {mesh, compare} = this.settings.values, what = this.data.controls.find((field) => field.name === 'compare').choices[compare];
+    this.canvas.setAttribute('aria-label', `${mesh.replaceAll('-', ' ')} lit by: ${this.technique.title}. Shown: ${what}. ` +
+                                           this.number.textContent + '.');
+  }
+
+  // A message of a kind replaces the last one of that kind; no words take it away.
+  notice(kind, words) {
+    const old = [...this.notices.children].find((element) => element.dataset.kind === kind);
+    if (!words) { old?.remove(); return; }
+    if (old && old.firstChild.textContent === words) return;
+    old?.remove();
+    const message = made('p', {class: 'zv-message'}, made('span', {}, words),
+                         made('button', {type: 'button', onclick: () => message.remove()}, 'Close'));
+    message.dataset.kind = kind;
+    this.notices.append(message);
+  }
+}

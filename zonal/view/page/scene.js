@@ -1,0 +1,60 @@
+// An object in an environment.
+
+class Scene {
+  constructor(gl, data, bytes) {
+    this.gl = gl;
+    this.data = data;
+    this.bytes = bytes;
+    this.textures = new Textures(gl, data.textures, bytes);
+    this.programs = new Map();
+    this.meshes = new Map();
+    this.empty = gl.createVertexArray();
+    this.light = Object.fromEntries(data.uniforms.map((uniform) => [uniform.name, Float32Array.from(uniform.values)]));
+    gl.enable(gl.DEPTH_TEST);
+    gl.depthFunc(gl.LEQUAL);
+  }
+
+  program(key, vertex, fragment, what) {
+    if (!this.programs.has(key)) this.programs.set(key, new Program(this.gl, vertex, fragment, what));
+    return this.programs.get(key);
+  }
+
+  numbers(values, width, height, measure) {
+    const turn = values.light_yaw_deg * Math.PI / 180, c = Math.cos(turn), s = Math.sin(turn);
+    return {
+      ...this.light,
+      ...values,
+      ...cameraMatrices(values, width / height),
+      light_from_world: Float32Array.of(c, -s, 0, s, c, 0, 0, 0, 1),
+      split_px: 0.5 * width,
+      measure: measure ? 1 : 0,
+    };
+  }
+
+  drawMesh(values, numbers) {
+    const {gl, data} = this, shaders = data.shaders;
+    const technique = data.techniques.find((t) => t.id === values.technique);
+    this.program(technique.id, shaders.mesh_vertex, shaders.shared + shaders.of_technique[technique.id], technique.title)
+        .use(numbers, this.textures);
+    const mesh = data.meshes.find((m) => m.name === values.mesh);
+    if (!this.meshes.has(mesh.name)) this.meshes.set(mesh.name, uploadedMesh(gl, mesh, this.bytes));
+    gl.bindVertexArray(this.meshes.get(mesh.name));
+    gl.drawElements(gl.TRIANGLES, mesh.index_count, gl.UNSIGNED_INT, 0);
+  }
+
+  draw(values, width, height) {
+    const {gl, data} = this, shaders = data.shaders, numbers = this.numbers(values, width, height, false);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.viewport(0, 0, width, height);
+    gl.clearColor(0, 0, 0, 1);
+    gl.clear(gl.DEPTH_BUFFER_BIT | gl.COLOR_BUFFER_BIT);
+    try {
+      this.drawMesh(values, numbers);
+    } finally {  // last, so that only what is seen of it is drawn
+      this.program('', shaders.background_vertex, shaders.shared + shaders.background, 'the background')
+          .use(numbers, this.textures);
+      gl.bindVertexArray(this.empty);
+      gl.drawArrays(gl.TRIANGLES, 0, 3);
+    }
+  }
+}

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace zonal {
+
+/// Base64 of RFC 4648, section 4.
+std::string base64_text(std::span<const std::byte>);
+
+/// Numbers for a page, in one piece that is compressed as a whole (zlib). Arrays are put in plane by plane: the lowest
+/// bytes of all their numbers first, then the next, so that the slow bytes lie side by side. Little endian.
+class PageBytes {
+ public:
+  /// Where the array begins, in bytes. The same array again costs nothing: it is where it was the first time.
+  std::size_t add(std::span<const std::uint32_t> numbers) { return add_planes(std::as_bytes(numbers), 4); }
+  std::size_t add(std::span<const std::uint16_t> numbers) { return add_planes(std::as_bytes(numbers), 2); }
+
+  std::size_t size() const { return bytes_.size(); }
+  /// Compressed, as base64.
+  std::string text() const;
+
+ private:
+  std::size_t add_planes(std::span<const std::byte> numbers, std::size_t width);
+
+  std::vector<std::byte> bytes_;
+  std::map<std::vector<std::byte>, std::size_t> known_;
+};
+
+}  // namespace zonal

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace zonal {
+
+/// A file of zonal/view/page, put into the library when it is built (cmake/embed.cmake).
+struct PagePart {
+  std::string_view stem, text;
+};
+std::span<const PagePart> page_parts();
+
+}  // namespace zonal

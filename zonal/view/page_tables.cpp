@@ -1,0 +1,219 @@
+#include "zonal/view/page_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "zonal/base/error.h"
+#include "zonal/io/half.h"
+#include "zonal/view/page_bytes.h"
+#include "zonal/view/rgb9e5.h"
+#include "zonal/view/shader_source.h"
+
+namespace zonal {
+namespace {
+
+using Array = JsonValue::Array;
+using Object = JsonValue::Object;
+
+std::string text_of(std::string_view words) { return std::string(words); }
+
+Array texts(std::span<const std::string_view> list) {
+  Array array;
+  for (const std::string_view words : list) array.push_back(text_of(words));
+  return array;
+}
+
+Array controls() {
+  Array list;
+  std::size_t place = 0;
+  for (const Control& control : all_controls()) {
+    const char* kind = control.kind == ControlKind::kSlider   ? "slider"
+                       : control.kind == ControlKind::kChoice ? "choice"
+                                                              : "toggle";
+    list.push_back(Object{{"name", text_of(control.name)},
+                          {"label", text_of(control.label)},
+                          {"kind", kind},
+                          {"common", place++ < common_controls().size()},
+                          {"least", control.least},
+                          {"greatest", control.greatest},
+                          {"initial", control.initial},
+                          {"step", control.step},
+                          {"choices", texts(control.choices)}});
+  }
+  return list;
+}
+
+Array camera() {
+  Array list;
+  const OrbitCamera initial;
+  for (const CameraField& field : camera_fields()) {
+    list.push_back(Object{{"name", text_of(field.name)},
+                          {"label", text_of(field.label)},
+                          {"least", field.least},
+                          {"greatest", field.greatest},
+                          {"initial", initial.*field.value},
+                          {"step", 0}});
+  }
+  return list;
+}
+
+Array techniques() {
+  Array list;
+  for (const Technique& technique : all_techniques()) {
+    list.push_back(Object{{"id", text_of(technique.id)},
+                          {"title", text_of(technique.title)},
+                          {"group", text_of(technique.group)},
+                          {"explanation", text_of(technique.explanation)},
+                          {"formula", text_of(technique.formula)},
+                          {"source", text_of(technique.source)},
+                          {"controls", texts(technique.controls)}});
+  }
+  return list;
+}
+
+/// Fragment shaders all begin alike: their beginning is written once.
+Object shaders() {
+  const std::string background = background_fragment_shader(ShaderHome::kWeb);
+  std::size_t shared = background.size();
+  std::vector<std::pair<std::string, std::string>> texts;
+  for (const Technique& technique : all_techniques()) {
+    texts.emplace_back(technique.id, technique_fragment_shader(ShaderHome::kWeb, technique));
+    const std::string& text = texts.back().second;
+    const auto differ = std::mismatch(text.begin(), text.end(), background.begin(), background.end());
+    shared = std::min(shared, static_cast<std::size_t>(differ.first - text.begin()));
+  }
+  Object of_technique;
+  for (const auto& [id, text] : texts) of_technique.emplace_back(id, text.substr(shared));
+  return {{"shared", background.substr(0, shared)},
+          {"mesh_vertex", mesh_vertex_shader(ShaderHome::kWeb)},
+          {"background_vertex", background_vertex_shader(ShaderHome::kWeb)},
+          {"background", background.substr(shared)},
+          {"of_technique", std::move(of_technique)}};
+}
+
+std::size_t add_table(PageBytes& bytes, const Image<Rgb>& image) {
+  std::vector<float> numbers;
+  for (const Rgb& texel : image.values()) numbers.insert(numbers.end(), {texel.r, texel.g, texel.b});
+  std::vector<std::uint16_t> halves(numbers.size());
+  (void)halves_from_floats(numbers, halves);  // tables hold no number near the largest half
+  return bytes.add(halves);
+}
+
+std::size_t add_light(PageBytes& bytes, const Image<Rgb>& image, std::size_t& cut_off) {
+  std::vector<std::uint32_t> packed;
+  for (const Rgb& texel : image.values()) {
+    packed.push_back(rgb9e5(texel));
+    if (max_channel(texel) > kRgb9e5Max) ++cut_off;
+  }
+  return bytes.add(packed);
+}
+
+Array textures(const ViewData& light, PageBytes& bytes, std::size_t& cut_off) {
+  Array list;
+  for (const ViewTexture& texture : light.textures) {
+    Array levels;
+    for (const Image<Rgb>& image : texture.levels) {
+      const std::size_t at = texture.table ? add_table(bytes, image) : add_light(bytes, image, cut_off);
+      levels.push_back(Array{at, image.width(), image.height()});
+    }
+    list.push_back(Object{{"name", texture.name},
+                          {"cube", texture.shape == TextureShape::kCube},
+                          {"repeats_x", texture.repeats_x},
+                          {"repeats_y", texture.repeats_y},
+                          {"table", texture.table},
+                          {"levels", std::move(levels)}});
+  }
+  return list;
+}
+
+Array uniforms(const ViewData& light) {
+  Array list;
+  for (const ViewUniform& uniform : light.uniforms) {
+    Array values(uniform.values.begin(), uniform.values.end());
+    list.push_back(Object{{"name", uniform.name}, {"values", std::move(values)}});
+  }
+  return list;
+}
+
+/// In `whole` steps from 0 to 1; negative numbers as in a signed short.
+std::uint16_t in_steps(float value, int whole) {
+  return static_cast<std::uint16_t>(std::lround(std::clamp(value, -1.0f, 1.0f) * static_cast<float>(whole)));
+}
+
+/// Each row of `width` numbers as its difference from the row before: neighbours are alike.
+template <class Number>
+std::vector<Number> row_differences(const std::vector<Number>& numbers, std::size_t width) {
+  std::vector<Number> differences = numbers;
+  for (std::size_t i = numbers.size(); i-- > width;) {
+    differences[i] = static_cast<Number>(numbers[i] - numbers[i - width]);
+  }
+  return differences;
+}
+
+Object mesh_table(const std::string& name, const Mesh& mesh, PageBytes& bytes) {
+  std::vector<std::uint16_t> vertices;
+  for (const Vertex& vertex : mesh.vertices) {
+    for (const float x : vertex.position) vertices.push_back(in_steps(x, 32767));
+    for (const float x : vertex.normal) vertices.push_back(in_steps(x, 32767));
+    for (const float x : vertex.uv) vertices.push_back(in_steps(std::max(x, 0.0f), 65535));
+  }
+  return {{"name", name},
+          {"vertices_at", bytes.add(row_differences(vertices, 8))},
+          {"vertex_count", mesh.vertices.size()},
+          {"indices_at", bytes.add(row_differences(mesh.indices, 3))},
+          {"index_count", mesh.indices.size()}};
+}
+
+Array meshes(const ViewPageOptions& options, PageBytes& bytes) {
+  Array list;
+  bool found = false;
+  for (const std::string_view name : mesh_shape_names()) {
+    list.push_back(mesh_table(text_of(name), mesh_shape(name), bytes));
+    found = found || name == options.state.mesh;
+  }
+  for (const auto& [name, mesh] : options.meshes) {
+    list.push_back(mesh_table(name, mesh, bytes));
+    found = found || name == options.state.mesh;
+  }
+  if (!found) {
+    throw Error(ErrorKind::kUsage, fmt::format("the page has no object '{}'", options.state.mesh),
+                "sphere, torus-knot and bumpy are in every page");
+  }
+  return list;
+}
+
+std::string note(const ViewPageOptions& options, std::size_t cut_off) {
+  std::string words =
+      "This page holds the light of one panorama, as the library computed it. Other panoramas and objects: "
+      "zonal view IMAGE --html PAGE makes a page, zonal view IMAGE --mesh FILE opens a window.";
+  if (options.embedded) words = "Another panorama, other objects: zonal view IMAGE --mesh FILE.";
+  if (cut_off > 0) {
+    words += fmt::format(" {} texels of its maps are brighter than {} and were cut off there.", cut_off, kRgb9e5Max);
+  }
+  return words;
+}
+
+}  // namespace
+
+JsonValue view_page_tables(const ViewData& light, const ViewPageOptions& options) {
+  PageBytes bytes;
+  std::size_t cut_off = 0;
+  Array pictures = textures(light, bytes, cut_off), objects = meshes(options, bytes);
+  return Object{{"title", options.title},
+                {"subtitle", options.subtitle},
+                {"note", note(options, cut_off)},
+                {"embedded", options.embedded},
+                {"start", state_text(options.state)},
+                {"controls", controls()},
+                {"camera", camera()},
+                {"techniques", techniques()},
+                {"shaders", shaders()},
+                {"textures", std::move(pictures)},
+                {"uniforms", uniforms(light)},
+                {"meshes", std::move(objects)},
+                {"bytes", bytes.text()}};
+}
+
+}  // namespace zonal

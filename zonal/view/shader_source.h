@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "zonal/view/technique.h"
+
+namespace zonal {
+
+/// The homes of the shaders: the bodies are written once in what both languages share.
+enum class ShaderHome {
+  kDesktop,  ///< #version 410 core
+  kWeb,      ///< #version 300 es, WebGL2
+};
+
+/// What a vertex goes through. Attributes 0 position, 1 normal, 2 texture coordinates.
+std::string mesh_vertex_shader(ShaderHome);
+/// The pixels of a surface: the technique, what it is compared with, exposure and tone curve.
+std::string technique_fragment_shader(ShaderHome, const Technique&);
+/// A triangle over the whole picture, without attributes, and the environment behind the object.
+std::string background_vertex_shader(ShaderHome);
+std::string background_fragment_shader(ShaderHome);
+
+/// A body by its stem, as it is in zonal/view/shaders. std::logic_error when there is none.
+std::string_view shader_body(std::string_view stem);
+
+}  // namespace zonal

@@ -1,0 +1,38 @@
+// The light as the library computed it (view/view_data.h), and the eye.
+
+uniform sampler2D environment;         // panorama
+uniform sampler2D environment_small;   // the same for the sums of the exact answers
+uniform sampler2D environment_mips;    // the same with levels, each the mean of four texels of the last
+uniform samplerCube environment_cube;
+uniform sampler2D sphere_map;          // seen along +X
+uniform sampler2D dual_paraboloid;     // front and back side by side, about +X
+uniform samplerCube irradiance_map;    // E
+uniform samplerCube ggx_chain;         // perceptual roughness from 0 to 1 over the levels
+uniform samplerCube phong_chain;       // shininess phong_exponents over the levels
+uniform sampler2D dfg_table;           // n.v across, roughness down: scale and bias of f0
+uniform sampler2D window_table;        // strength down; for Hann, Lanczos, Laplacian: bands 0..2, 3..5
+uniform sampler2D normal_map;          // tangent-space normals, halved and shifted to 0..1
+uniform sampler2D highlight_map;       // a highlight as a sphere map in the eye's frame
+
+uniform vec3 sh[36];                   // radiance, six bands, l(l+1)+m
+uniform float cosine_factors[6];       // of the clamped cosine over pi
+uniform float lecture_constants[5];    // k1..k5 of Ramamoorthi and Hanrahan's polynomial
+uniform vec4 shading_constants[7];     // Sloan's seven vectors
+uniform vec3 cube_sides[6];            // ambient cube of E/pi: +X -X +Y -Y +Z -Z
+uniform vec3 mean_radiance;
+uniform vec3 negative_tint;            // where light is below zero
+uniform vec3 vector_irradiance[3];     // of red, green, blue
+uniform vec3 light_directions[6];      // extracted: of the fit of one light, of two, of three; brightest first
+uniform vec3 light_irradiance[6];
+uniform vec3 light_ambient[4];         // beside no light, one, two, three
+uniform float phong_exponents[8];
+uniform float chain_levels;            // of ggx_chain
+uniform float phong_levels;
+
+uniform mat3 light_from_world;
+uniform vec3 eye;
+uniform mat3 eye_from_world;           // right, up, toward the eye
+uniform mat4 world_from_clip;
+uniform float split_px;                // where the picture turns to the exact answer
+uniform int measure;                   // 0: colours for a screen; 1: squares of error and truth; 2..6: technique, exact
+                                       // answer, normal, position, texture coordinates as they are

@@ -1,0 +1,183 @@
+#include "zonal/view/technique.h"
+
+namespace zonal {
+namespace {
+
+constexpr std::string_view kConstant = "Light without direction";
+constexpr std::string_view kMirrors = "Environment mapping";
+constexpr std::string_view kFiltered = "Filtered environment maps";
+constexpr std::string_view kMatte = "Irradiance";
+constexpr std::string_view kHarmonics = "Spherical harmonics";
+
+const std::vector<Technique>& techniques() {
+  static const std::vector<Technique> list = {
+      {.id = "lambert",
+       .title = "One light and an ambient constant",
+       .group = kConstant,
+       .explanation =
+           "Where lighting by the environment starts: the brightest light of the panorama as one directional light, and "
+           "all the rest as a constant that comes from everywhere. Without the constant, what faces away from the light "
+           "is black, as it never is in a real place.",
+       .formula = "L = albedo/π (π L_A + E_L max(n·l, 0))",
+       .source = "Lambert 1760",
+       .exact = Exact::kDiffuse,
+       .controls = {"ambient_light", "roughness", "f0"}},
+      {.id = "blinn-newell",
+       .title = "Panorama (Blinn and Newell)",
+       .group = kMirrors,
+       .explanation =
+           "The mirrored direction in polar coordinates is the place in a panorama. Looked up per pixel and without "
+           "derivatives there is no seam where the longitude jumps; per vertex, as first published, triangles across "
+           "the seam would show the whole picture backwards.",
+       .formula = "r = 2(n·v)n − v,  u = ½ − atan2(r_y, r_x)/2π,  v = acos(r_z)/π",
+       .source = "Blinn & Newell 1976",
+       .exact = Exact::kMirror},
+      {.id = "sphere-map",
+       .title = "Sphere map",
+       .group = kMirrors,
+       .explanation =
+           "A photograph of a mirrored ball. With the eye's normal as texture coordinates the picture sticks to the "
+           "eye: it is right from one viewpoint only. Looked up by the half vector of the mirrored direction and the "
+           "direction to the camera that took it, it is right from everywhere but for its rim, where a pixel is degrees wide.",
+       .formula = "m = √(r_x² + r_y² + (r_z + 1)²),  u = r_x/2m + ½,  v = r_y/2m + ½",
+       .source = "Miller & Hoffman 1984; GL_SPHERE_MAP",
+       .exact = Exact::kMirror,
+       .controls = {"viewpoint"}},
+      {.id = "cube-map",
+       .title = "Cube map",
+       .group = kMirrors,
+       .explanation = "Six pictures on the faces of a cube: the largest component of the mirrored direction chooses the "
+                      "face, the other two are the place on it. No pole, no seam, little distortion.",
+       .formula = "face = argmax |r|,  (u, v) = ½ + ½ r⊥/|r_max|",
+       .source = "Greene 1986",
+       .exact = Exact::kMirror},
+      {.id = "dual-paraboloid",
+       .title = "Dual paraboloid map",
+       .group = kMirrors,
+       .explanation = "Two discs, each a hemisphere seen in a parabolic mirror. The lookup is one division, and the map "
+                      "does not depend on the viewpoint.",
+       .formula = "(u, v) = ½ + ½ (r_x, r_y)/(1 + |r_z|)",
+       .source = "Heidrich & Seidel 1998",
+       .exact = Exact::kMirror},
+      {.id = "bump",
+       .title = "Environment-mapped bump mapping",
+       .group = kMirrors,
+       .explanation = "A picture of normals bends the surface's normal before the light is mirrored at it. The exact "
+                      "answer beside it is the smooth mirror: the difference is the bumps.",
+       .formula = "n' = T (2 texel − 1),  r = 2(n'·v)n' − v",
+       .source = "Blinn 1978",
+       .exact = Exact::kMirror,
+       .controls = {"bump_depth"}},
+      {.id = "highlight-map",
+       .title = "Highlight map",
+       .group = kMatte,
+       .explanation = "A highlight of any shape, drawn or computed, as a sphere map in the eye's frame, added to the "
+                      "matte light. It costs one lookup and can be anything, which is its charm and its flaw.",
+       .formula = "L = albedo/π E(n) + H(½ + ½ n_x, ½ + ½ n_y)",
+       .source = "lecture, highlight mapping",
+       .exact = Exact::kDiffuse,
+       .controls = {"highlight_strength"}},
+      {.id = "uniform-blur",
+       .title = "Panorama blurred evenly",
+       .group = kFiltered,
+       .explanation = "The picture itself made smaller and smaller. The blur is even in the picture but not on the "
+                      "sphere: too wide near the poles, and no shape of any surface. The eye forgives much of it.",
+       .formula = "texel of level k = mean of 4^k texels",
+       .source = "Williams 1983",
+       .exact = Exact::kPhong,
+       .controls = {"blur_level", "shininess"}},
+      {.id = "phong",
+       .title = "Glossy: Phong's lobe",
+       .group = kFiltered,
+       .explanation = "The panorama convolved with a power of the cosine about the mirrored direction, once for each of "
+                      "some shininesses. Between them the lookup interpolates.",
+       .formula = "L = (s+1)/2π ∫ L_i max(l·r, 0)^s dω",
+       .source = "Phong 1975; Miller & Hoffman 1984",
+       .exact = Exact::kPhong,
+       .controls = {"shininess"}},
+      {.id = "split-sum",
+       .title = "Glossy: GGX, split sum",
+       .group = kFiltered,
+       .explanation = "The lobe of a rough surface seen along its normal (n = v = r) filters the panorama; a small "
+                      "table puts back how much the surface reflects at this angle. What it loses shows at grazing "
+                      "angles, where a real highlight is stretched.",
+       .formula = "L = (f0 A(n·v, α) + B(n·v, α)) ∫ L_i k_α(l·r) dω",
+       .source = "Karis 2013",
+       .exact = Exact::kGlossy,
+       .controls = {"roughness", "f0"}},
+      {.id = "irradiance-map",
+       .title = "Irradiance map",
+       .group = kMatte,
+       .explanation = "For every normal the cosine-weighted sum over the whole panorama, by exact convolution. This is "
+                      "the exact answer for matte surfaces; what is left is the interpolation between its texels.",
+       .formula = "E(n) = ∫ L_i max(n·l, 0) dω",
+       .source = "Miller & Hoffman 1984",
+       .exact = Exact::kDiffuse},
+      {.id = "vector-irradiance",
+       .title = "Vector irradiance",
+       .group = kMatte,
+       .explanation = "All light gathered into one vector for each colour. The difference of the irradiance on the two "
+                      "sides of a surface is exactly its product with the normal; taken as the irradiance itself it "
+                      "misses what reaches the back.",
+       .formula = "e = ∫ L_i l dω,  E(n) − E(−n) = n·e",
+       .source = "Gershun 1939; Arvo 1994",
+       .exact = Exact::kDiffuse},
+      {.id = "sh-bands",
+       .title = "Spherical harmonics, 1 to 6 bands",
+       .group = kHarmonics,
+       .explanation = "The light as 1, 4, 9, ... 36 coefficients, scaled by the cosine's factor in each band. Three "
+                      "bands keep 99 % of the irradiance of most places; a strong sun makes them ring below zero, which "
+                      "is tinted here, and a window takes the ringing out.",
+       .formula = "E/π = Σ_l A_l w_l Σ_m L_lm y_lm(n)",
+       .source = "Ramamoorthi & Hanrahan 2001; Sloan 2008",
+       .exact = Exact::kDiffuse,
+       .controls = {"bands", "window_kind", "window_strength", "tint_negative"}},
+      {.id = "sh-polynomial",
+       .title = "Nine coefficients as a polynomial (the homework)",
+       .group = kHarmonics,
+       .explanation = "Three bands written out as a polynomial of the normal with five constants: what the lecture asks "
+                      "its students to put into the vertex shader.",
+       .formula = "E = k1 c22 (x² − y²) + k3 c20 z² + k4 c00 − k5 c20 + 2k1(...) + 2k2(...)",
+       .source = "Ramamoorthi & Hanrahan 2001, eq. 13",
+       .exact = Exact::kDiffuse},
+      {.id = "sh-constants",
+       .title = "Nine coefficients as seven vectors",
+       .group = kHarmonics,
+       .explanation = "The same three bands, premultiplied so that a shader needs seven vectors of four and a few dot "
+                      "products.",
+       .formula = "E/π = cA·(n, 1) + cB·(xy, yz, zz, zx) + cC (x² − y²)",
+       .source = "Sloan 2008, appendix A10",
+       .exact = Exact::kDiffuse},
+      {.id = "extracted-lights",
+       .title = "Extracted lights",
+       .group = kHarmonics,
+       .explanation = "The probe taken apart into a constant and up to three directional lights by least squares, for "
+                      "renderers that know only lights.",
+       .formula = "E = π a + Σ_i E_i max(n·l_i, 0)",
+       .source = "Sloan 2008, appendix A5",
+       .exact = Exact::kDiffuse,
+       .controls = {"light_count"}},
+      {.id = "ambient-cube",
+       .title = "Ambient cube",
+       .group = kHarmonics,
+       .explanation = "Six colours, one for each side of the world, blended by the squares of the normal. Cheap, and "
+                      "never negative where they are not; but it wobbles when the light turns.",
+       .formula = "E/π = Σ n_i² c_i,sign(n_i)",
+       .source = "McTaggart 2004; Sloan 2008, appendix A9",
+       .exact = Exact::kDiffuse},
+  };
+  return list;
+}
+
+}  // namespace
+
+std::span<const Technique> all_techniques() { return techniques(); }
+
+const Technique* technique_named(std::string_view id) {
+  for (const Technique& technique : all_techniques()) {
+    if (technique.id == id) return &technique;
+  }
+  return nullptr;
+}
+
+}  // namespace zonal
