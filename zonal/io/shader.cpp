@@ -4,12 +4,11 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "zonal/base/check.h"
 #include "zonal/base/error.h"
-#include "zonal/io/json_text.h"
+#include "zonal/io/shader_number.h"
 #include "zonal/sh/basis_constants.h"
 
 namespace zonal {
@@ -71,14 +70,7 @@ class Writer {
   void let(const std::string& name, const std::string& value) {
     text += fmt::format("  {}{} = {};\n", dialect_.let, name, value);
   }
-  std::string number(double value) const {
-    if (!(std::abs(value) <= std::numeric_limits<float>::max())) {
-      throw Error(ErrorKind::kInput, "SH coefficients: " + shortest(value) + " does not fit a 32-bit float");
-    }
-    std::string digits = shortest(static_cast<float>(value));
-    if (digits.find_first_of(".e") == digits.npos) digits += ".0";  // an integer otherwise
-    return digits + std::string(dialect_.suffix);
-  }
+  std::string number(double value) const { return shader_number(value, dialect_.suffix); }
   std::string color(RgbD c) const {
     return fmt::format("{}({}, {}, {})", dialect_.vector, number(c.r), number(c.g), number(c.b));
   }

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "zonal/base/error.h"
+#include "zonal/io/shader_workshop_test.h"
 #include "zonal/sh/eval.h"
 
 namespace zonal {
@@ -29,29 +30,6 @@ std::size_t occurrences(const std::string& text, std::string_view what) {
   std::size_t count = 0;
   for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + 1)) ++count;
   return count;
-}
-
-/// A folder of its own that disappears with the test.
-class Workshop {
- public:
-  explicit Workshop(const std::string& name) : path_(std::filesystem::path(testing::TempDir()) / name) {
-    std::filesystem::create_directories(path_);
-  }
-  ~Workshop() { std::filesystem::remove_all(path_); }
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
-};
-
-bool has_program(const std::string& name) {
-  return std::system(("command -v " + name + " > /dev/null 2>&1").c_str()) == 0;
-}
-
-std::string content(const std::string& path) {
-  std::stringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
 }
 
 TEST(Shader, LooksAsPromised) {
