@@ -1,22 +1,14 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "zonal/report/ticks.h"
+#include "zonal/report/chart_axes.h"
 
 namespace zonal {
 
 // Small SVG figures. Everything is drawn in currentColor, the first series in the class "accent", so that a page's
 // light and dark style reach them; they also stand alone. No script. Text is escaped here.
-
-struct ChartAxis {
-  std::string label;                    ///< with its unit
-  bool log = false;                     ///< base ten
-  bool whole = false;                   ///< only whole numbers are marked
-  std::optional<AxisRange> range = {};  ///< empty: what the data need; values outside stand at its edge
-};
 
 struct ChartPoint {
   double x = 0, y = 0;

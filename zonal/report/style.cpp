@@ -45,6 +45,11 @@ figcaption b { color: var(--ink); font-weight: 600; }
 .beside { display: grid; grid-template-columns: minmax(0, 3.3fr) minmax(0, 1fr); gap: 28px; align-items: start; }
 .chart { width: 100%; color: var(--ink); font-size: 10.5px; }
 .chart .ink { fill: currentColor; }
+.plot { width: 100%; color: var(--ink); font-size: 13px; }
+.plot .ink { fill: currentColor; }
+.plates { display: flex; flex-wrap: wrap; gap: 24px 26px; margin: 0 0 18px; }
+.plates figure { margin: 0; min-width: 0; }
+.plates img { width: 100%; border-radius: 3px; }
 .accent { color: var(--accent); fill: var(--accent); }
 .marked { position: relative; }
 .marked > svg { position: absolute; inset: 0; width: 100%; height: 100%; }
