@@ -68,6 +68,27 @@ TEST(House, EveryIncludeStaysOnItsFloorOrGoesDown) {
   EXPECT_GT(includes, 300) << "the scan found too little to mean anything";
 }
 
+/// Two types of one name link silently and break each other's functions.
+TEST(House, EveryTypeHasItsName) {
+  const std::regex type(R"(^(?:class|struct|enum class) ([A-Z]\w*)(?: final)?(?: :.*)? \{.*)");
+  std::map<std::string, fs::path> owners;
+  for (const fs::path& path : sources({"zonal", "apps"})) {
+    if (path.extension() != ".h") continue;
+    const std::vector<std::string> lines = lines_of(path);
+    // The parts of kernels are in a namespace for each instruction set.
+    if (std::ranges::any_of(lines, [](const std::string& l) { return l.find("namespace zonal::ZONAL_ISA") == 0; })) {
+      continue;
+    }
+    for (const std::string& line : lines) {
+      std::smatch match;
+      if (!std::regex_match(line, match, type)) continue;
+      const auto [owner, first] = owners.try_emplace(match[1], path);
+      EXPECT_TRUE(first) << match[1] << " is in " << owner->second << " and in " << path;
+    }
+  }
+  EXPECT_GT(owners.size(), 150u);
+}
+
 TEST(House, EveryFileIsARoom) {
   int files = 0;
   for (const fs::path& path : sources({"zonal", "apps", "bench", "tests"})) {

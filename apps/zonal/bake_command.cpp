@@ -92,8 +92,9 @@ void run_bake(BakeCommand& command, Call& call) {
   }
   say_all_verified(baked, call);
   const std::string recipe = bake_recipe_json(baked, survey, command.bake, command.files, origin, files);
-  const std::string page =
-      bake_page_html(page_of(std::move(baked), survey, command.bake, command.files, origin, files), call.run);
+  BakePage shown = page_of(std::move(baked), survey, command.bake, command.files, origin, files);
+  shown.viewer = bake_page_viewer(shown.panorama, call.run);
+  const std::string page = bake_page_html(shown, call.run);
   folder.add("index.html", page);
   folder.add("recipe.json", recipe);
   if (call.run.stop.stop_requested()) throw Error(ErrorKind::kCancelled, "cancelled");

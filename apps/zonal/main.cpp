@@ -60,10 +60,20 @@ void add_verbs(CLI::App& app, Call& call) {
   zonal::add_irradiance(app, call);
   zonal::add_prefilter(app, call);
   zonal::add_sh(app, call);
+  zonal::add_light(app, call);
+  zonal::add_lights(app, call);
+  zonal::add_multiply(app, call);
+  zonal::add_ambient_cube(app, call);
+  zonal::add_shader(app, call);
   zonal::add_dfg(app, call);
   zonal::add_sky(app, call);
   zonal::add_testcard(app, call);
   zonal::add_compare(app, call);
+  zonal::add_merge(app, call);
+  zonal::add_gallery(app, call);
+  zonal::add_split(app, call);
+  zonal::add_fisheye(app, call);
+  zonal::add_view(app, call);
 }
 
 /// A first word that is no verb deserves a better answer than a parser's.

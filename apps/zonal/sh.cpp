@@ -1,97 +1,76 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <array>
-#include <cmath>
 #include <memory>
 
-#include "apps/zonal/choices.h"
-#include "apps/zonal/input_options.h"
+#include "apps/zonal/coefficients.h"
 #include "apps/zonal/run_options.h"
+#include "apps/zonal/sh_shader.h"
+#include "apps/zonal/sh_window.h"
 #include "apps/zonal/verbs.h"
 #include "zonal/base/error.h"
-#include "zonal/io/engine.h"
-#include "zonal/io/file.h"
-#include "zonal/io/shader.h"
-#include "zonal/light/project.h"
 
 namespace zonal {
 namespace {
 
 struct ShOptions {
-  InputOptions input;
-  std::filesystem::path path;  // empty: standard output
-  int bands = 3;
-  ShQuantity quantity = ShQuantity::kRadiance;
+  CoefficientOptions source;
+  std::filesystem::path path;
+  std::optional<ShQuantity> quantity;
+  WindowOptions window;
   std::optional<ShaderLanguage> shader;
   bool glsl = false;
   const EngineConvention* engine = nullptr;
 };
 
-constexpr std::array kQuantities = {ShQuantity::kRadiance, ShQuantity::kIrradiance, ShQuantity::kIrradianceOverPi};
-constexpr std::array kLanguages = {ShaderLanguage::kGlsl, ShaderLanguage::kHlsl, ShaderLanguage::kMsl,
-                                   ShaderLanguage::kWgsl, ShaderLanguage::kCpp};
+/// The quantity that an engine stores is not a choice.
+void check_quantity(const ShOptions& options, const EngineConvention& engine) {
+  if (!options.quantity || *options.quantity == engine.sh.quantity) return;
+  throw Error(ErrorKind::kUsage,
+              fmt::format("{} stores {}, not {}", engine.name, name_of(engine.sh.quantity), name_of(*options.quantity)),
+              "leave out --quantity");
+}
 
-/// The coefficients of an input; of the part that it shows, scaled up to the whole sphere, when the rest is to be left
-/// out.
-Sh<RgbD> coefficients_of(const ShOptions& options, Call& call) {
-  Input input = read_input(options.input, call);
-  const WholeLight light = whole_light(input, options.input, call);
-  Sh<RgbD> sh = project(light.environment, options.bands, call.run);
-  if (light.shown) {
-    const double shown_share = project(*light.shown, 1, call.run)(0, 0).r / std::sqrt(4 * kPi);
-    if (shown_share > 0) sh *= 1 / shown_share;
+void write_for_engine(const ShOptions& options, const EngineConvention& engine, const ShFile& sh, Call& call) {
+  const int bands = sh.coefficients.bands();
+  if (engine.sh.max_bands > 0 && bands > engine.sh.max_bands) {
+    throw Error(ErrorKind::kUsage, fmt::format("{} takes {} bands, not {}", engine.name, engine.sh.max_bands, bands),
+                fmt::format("--bands {} leaves out the rest", engine.sh.max_bands));
   }
-  return sh;
-}
-
-JsonValue coefficients_json(std::span<const RgbD> coefficients) {
-  JsonValue::Array list;
-  for (const RgbD& c : coefficients) list.push_back(JsonValue::Array{c.r, c.g, c.b});
-  return list;
-}
-
-std::string engine_text(const ShFile& sh, const EngineConvention& engine) {
+  const std::vector<RgbD> numbers = engine_coefficients(sh, engine);
   std::string text;
-  for (const RgbD& c : engine_coefficients(sh, engine))
-    text += fmt::format("{} {} {}\n", shortest(c.r), shortest(c.g), shortest(c.b));
-  return text;
+  for (const RgbD& c : numbers) text += fmt::format("{} {} {}\n", shortest(c.r), shortest(c.g), shortest(c.b));
+  call.console.field("bands", bands);
+  call.console.field("engine", engine.name);
+  call.console.field("quantity", name_of(engine.sh.quantity));
+  call.console.field("coefficients", coefficients_json(numbers));
+  write_text(text, options.path, fmt::format("{} bands of {}", bands, name_of(engine.sh.quantity)), call);
 }
 
-std::string shader_of(const ShOptions& options, ShFile sh) {
-  ShaderOptions shader{.language = options.shader.value_or(ShaderLanguage::kGlsl), .returns = options.quantity};
-  if (options.engine) {
-    sh.coefficients = transformed(sh.coefficients, options.engine->engine_from_world);
-    shader.frame = "the world axes of " + std::string(options.engine->name);
-  }
-  return shader_text(sh, shader);
+void write_shader(const ShOptions& options, const ShFile& sh, Call& call) {
+  const ShaderLanguage language = options.shader.value_or(ShaderLanguage::kGlsl);
+  const std::string text = shader_in_axes_of(options.engine, sh, language, sh.quantity);
+  call.console.field("bands", sh.coefficients.bands());
+  call.console.field("quantity", name_of(sh.quantity));
+  call.console.field("coefficients", coefficients_json(sh.coefficients.values()));
+  call.console.field("shader", text);
+  write_text(text, options.path, fmt::format("{} bands of {}", sh.coefficients.bands(), name_of(sh.quantity)), call);
 }
 
 void run_sh(const ShOptions& options, Call& call) {
   const bool shader = options.glsl || options.shader.has_value();
-  const ShFile radiance{ShQuantity::kRadiance, coefficients_of(options, call)};
-  const ShFile wanted = to_quantity(radiance, options.quantity);
-  Console& console = call.console;
-  std::string text = shader           ? shader_of(options, radiance)
-                     : options.engine ? engine_text(radiance, *options.engine)
-                                      : sh_json_text(wanted);
-  if (!options.path.empty()) {
-    write_file(options.path, text);
-    console.wrote(options.path, text.size(), fmt::format("{} bands of {}", options.bands, name_of(options.quantity)));
-  }
-  console.field("bands", options.bands);
-  if (options.engine && !shader) {
-    console.field("engine", options.engine->name);
-    console.field("quantity", name_of(options.engine->sh.quantity));
-    console.field("coefficients", coefficients_json(engine_coefficients(radiance, *options.engine)));
+  const EngineConvention* engine = shader ? nullptr : options.engine;
+  if (engine) check_quantity(options, *engine);
+  check_window(options.window);
+  ShFile sh = read_coefficients(options.source, call).sh;
+  sh = to_quantity(sh, engine ? engine->sh.quantity : options.quantity.value_or(sh.quantity));
+  sh.coefficients = windowed(sh.coefficients, options.window, call);
+  if (shader) {
+    write_shader(options, sh, call);
+  } else if (engine) {
+    write_for_engine(options, *engine, sh, call);
   } else {
-    console.field("quantity", name_of(options.quantity));
-    console.field("coefficients", coefficients_json(wanted.coefficients.values()));
-  }
-  if (shader) console.field("shader", text);
-  if (options.path.empty()) {
-    text.pop_back();  // the line's own end
-    console.answer(text);
+    write_coefficients(sh, options.path, call);
   }
 }
 
@@ -100,38 +79,31 @@ void run_sh(const ShOptions& options, Call& call) {
 void add_sh(CLI::App& app, Call& call) {
   auto options = std::make_shared<ShOptions>();
   CLI::App& verb = *app.add_subcommand(
-      "sh", "Spherical-harmonic coefficients, as JSON, as a shader function or as an engine wants them.");
-  add_input_options(verb, options->input);
+      "sh",
+      "Spherical-harmonic coefficients of a picture, or of other coefficients: turned, windowed, as another quantity, "
+      "as JSON, as a shader function or as an engine wants them.");
+  add_coefficient_options(verb, options->source);
   constexpr const char* kGroup = "Coefficients";
-  verb.add_option("--bands", options->bands, "N bands are N² coefficients")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1024))
-      ->group(kGroup);
-  add_choice(verb, "--quantity", options->quantity, sh_quantity_named,
-             names_of(kQuantities, [](ShQuantity q) { return std::string(name_of(q)); }),
-             "what they are coefficients of")
+  add_quantity_choice(verb, "--quantity", options->quantity,
+                      "what they are to be coefficients of, the input's own or radiance if not said")
       ->group(kGroup);
   verb.add_flag("--glsl", options->glsl, "a GLSL function in place of JSON, 6 bands at most")->group(kGroup);
-  add_choice(verb, "--shader", options->shader, shader_language_named,
-             names_of(kLanguages, [](ShaderLanguage l) { return std::string(name_of(l)); }), "the same in a language")
-      ->group(kGroup);
-  add_choice(
-      verb, "--engine", options->engine,
-      [](std::string_view name) -> std::optional<const EngineConvention*> {
-        const EngineConvention* engine = engine_named(name);
-        return engine ? std::optional(engine) : std::nullopt;
-      },
-      names_of(all_engines(), [](const EngineConvention& e) { return std::string(e.name); }),
-      "one line r g b for each coefficient, in the axes, order and quantity of a program; shaders in its axes")
-      ->group(kGroup);
-  verb.add_option("-o,--output", options->path, "file to write; standard output if not said")->group("Output");
+  add_language_choice(verb, "--shader", options->shader, "the same in a language")->group(kGroup);
+  add_engine_choice(verb, options->engine,
+                    "one line r g b for each coefficient, in the axes, order and quantity of a program; shaders in its "
+                    "axes",
+                    kGroup);
+  add_window_options(verb, options->window);
+  add_text_output(verb, options->path);
   add_run_options(verb, call);
   verb.footer(
       "Examples:\n"
       "  zonal sh sunset.hdr\n"
-      "  zonal sh sunset.hdr --quantity irradiance --glsl -o irradiance.glsl\n"
-      "  zonal sh sunset.hdr --engine filament -o sh.txt\n"
-      "  zonal sh sunset.hdr --bands 6 -o sh.json");
+      "  zonal sh sunset.hdr --bands 6 -o sh.json\n"
+      "  zonal sh sh.json --rotate 90,20 --window hann -o turned.json\n"
+      "  zonal sh sh.json --quantity irradiance/pi --window nonnegative\n"
+      "  zonal sh sunset.hdr --to filament -o sh.txt\n"
+      "  zonal light sphere --center 0,0,3 --radius 1 | zonal sh - --quantity irradiance --glsl");
   verb.callback([options, &call] { run_sh(*options, call); });
 }
 

@@ -14,7 +14,10 @@ const std::vector<std::vector<std::string>> kReaders = {{"bake", "-o", "out", "-
                                                         {"convert", "-o", "c.exr"},
                                                         {"irradiance", "-o", "i.exr"},
                                                         {"prefilter", "-o", "p.exr", "--roughness", "0.5"},
-                                                        {"sh", "-o", "sh.json"}};
+                                                        {"sh", "-o", "sh.json"},
+                                                        {"lights", "-o", "lights.json"},
+                                                        {"ambient-cube", "-o", "cube.json"},
+                                                        {"shader", "-o", "sh.glsl"}};
 
 std::vector<std::string> with_input(const std::vector<std::string>& call, const std::string& input) {
   std::vector<std::string> words = {call[0], input};
@@ -46,7 +49,7 @@ TEST_F(CliBadInput, EveryReaderRefusesTheSameFiles) {
       ++refused;
     }
   }
-  EXPECT_EQ(refused, 40);
+  EXPECT_EQ(refused, 64);
 }
 
 TEST_F(CliBadInput, Truncated) {
@@ -147,6 +150,9 @@ TEST_F(CliBadInput, OutputsThatCannotBe) {
   bad(4, {"convert", "x.exr", "--to", "cube", "-o", "file/y_%s.exr"}, "file");
   bad(4, {"irradiance", "x.exr", "-o", "file/y.ktx2", "--size", "8"}, "file/y.ktx2");
   bad(4, {"sh", "x.exr", "-o", "file/sh.json"}, "file/sh.json");
+  bad(4, {"light", "ambient", "-o", "file/sh.json"}, "file/sh.json");
+  bad(4, {"shader", "x.exr", "-o", "file/sh.glsl"}, "file/sh.glsl");
+  bad(4, {"shader", "x.exr", "--program", "-o", "file/matte"}, "file");
   bad(4, {"dfg", "-o", "file/dfg.exr", "--size", "4"}, "file/dfg.exr");
   bad(4, {"compare", "x.exr", "x.exr", "-o", "file/d.png"}, "file/d.png");
 }

@@ -7,8 +7,10 @@ namespace {
 
 using CliOptions = Cli;
 
-const std::vector<std::string> kVerbs = {"bake", "info", "convert", "irradiance", "prefilter",
-                                         "sh",   "dfg",  "sky",     "testcard",   "compare"};
+const std::vector<std::string> kVerbs = {"bake",   "info",  "convert", "irradiance", "prefilter",
+                                         "sh",     "light", "lights",  "multiply",   "ambient-cube",
+                                         "shader", "dfg",   "sky",     "testcard",   "compare",
+                                         "split",  "merge", "gallery", "view"};
 
 TEST_F(CliOptions, HelpNamesEveryVerbAndEveryVerbHasExamples) {
   const std::string all = good({"--help"}).out;
@@ -24,7 +26,7 @@ TEST_F(CliOptions, HelpNamesEveryVerbAndEveryVerbHasExamples) {
     EXPECT_NE(help.find("--json"), std::string::npos) << verb;
     ++helped;
   }
-  EXPECT_EQ(helped, 10);
+  EXPECT_EQ(helped, 19);
 }
 
 TEST_F(CliOptions, Version) { EXPECT_EQ(good({"--version"}).out.substr(0, 6), "zonal "); }
@@ -70,7 +72,14 @@ TEST_F(CliOptions, JsonIsOneObjectAndNothingElse) {
       {"prefilter", "x.exr", "-o", "p.exr", "--size", "8", "--roughness", "0.5"},
       {"sh", "x.exr"},
       {"sh", "x.exr", "--glsl", "-o", "sh.glsl"},
-      {"sh", "x.exr", "--engine", "filament"},
+      {"sh", "x.exr", "--to", "filament"},
+      {"sh", "x.exr", "-o", "x.json", "--window", "hann"},
+      {"light", "ambient", "-o", "l.json"},
+      {"lights", "x.json"},
+      {"multiply", "x.json", "l.json"},
+      {"ambient-cube", "x.json"},
+      {"shader", "x.json"},
+      {"shader", "x.json", "--program"},
       {"dfg", "-o", "d.exr", "--size", "4"},
       {"sky", "-o", "s.exr", "--size", "8"},
       {"testcard", "-o", "t.png", "--size", "8"},
@@ -87,7 +96,7 @@ TEST_F(CliOptions, JsonIsOneObjectAndNothingElse) {
     EXPECT_GE(json.size(), 3u) << call[0];
     ++parsed;
   }
-  EXPECT_EQ(parsed, 12);
+  EXPECT_EQ(parsed, 19);
   const Result failed = run({"info", "missing.exr", "--json"});
   EXPECT_EQ(failed.code, 3);
   EXPECT_EQ(nlohmann::json::parse(failed.out).at("error").at("exit_code"), 3);

@@ -151,7 +151,7 @@ TEST_F(CliVerbs, ShReadsBackAndSpeaksShader) {
 
 TEST_F(CliVerbs, ShOfAFurnaceForFilamentIsOne) {
   good({"sky", "furnace", "--size", "64", "-o", "white.exr"});
-  const std::string text = good({"sh", "white.exr", "--engine", "filament"}).out;
+  const std::string text = good({"sh", "white.exr", "--to", "filament"}).out;
   EXPECT_NEAR(std::stod(text), 1, 1e-6);
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 9);
 }

@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::array<double, 3> kBrightness = {luminance(RgbD(1, 0, 0)), luminance(RgbD(0, 1, 0)),
                                                luminance(RgbD(0, 0, 1))};
-// Below this part of the mean the rest of a probe is the rounding of sums that it came from.
-constexpr double kConstant = 1e-13;
+// Below this part of the mean the rest of a probe is what a picture of floats leaves of a constant.
+constexpr double kConstant = 1e-7;
 
 std::array<double, 3> channels(RgbD c) { return {c.r, c.g, c.b}; }
 RgbD color(const Eigen::RowVector3d& c) { return {c(0), c(1), c(2)}; }

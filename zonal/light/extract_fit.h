@@ -46,7 +46,7 @@ class LightFitter {
   LightFitter(const Sh<RgbD>& radiance, ExtractMetric, bool nonnegative);
 
   int bands() const { return bands_; }
-  /// The same from everywhere, as far as doubles tell: there is nothing for lights to explain.
+  /// The same from everywhere, as far as pictures of floats tell: there is nothing for lights to explain.
   bool constant() const { return size_ == 0; }
 
   LightFit fit(std::vector<LightShape>) const;

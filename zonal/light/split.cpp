@@ -114,7 +114,7 @@ SplitEnvironment split_lights(Environment environment, const SplitOptions& optio
   SplitEnvironment split;
   split.threshold_luminance = level.threshold;
   split.range_before = split.range_after = range_of(level);
-  split.balance.whole = split_sum(environment, mapping, run);
+  split.balance.whole = sphere_sum(environment, mapping, run);
   const double whole = luminance(split.balance.whole.energy);
 
   std::vector<Source> sources;
@@ -137,10 +137,10 @@ SplitEnvironment split_lights(Environment environment, const SplitOptions& optio
   });
   std::ranges::stable_sort(split.lights, std::greater<>(), &SplitLight::share);
 
-  split.balance.lights = split_sum(split.lights);
+  split.balance.lights = sphere_sum(split.lights);
   split.balance.rest = split.balance.whole;
   if (!split.lights.empty()) {
-    split.balance.rest = split_sum(environment, mapping, run);
+    split.balance.rest = sphere_sum(environment, mapping, run);
     split.range_after = range_of(bright_level(environment, mapping, options.threshold, run));
   }
   split.rest = std::move(environment);

@@ -30,7 +30,7 @@ struct SplitOptions {
 };
 
 /// A sum over the sphere, by exact texel solid angles at the texels' directions.
-struct SplitSum {
+struct SphereSum {
   RgbD energy;                 ///< integral of the radiance
   std::array<Vec3, 3> vector;  ///< integral of the radiance times direction, in r, g and b
 };
@@ -38,7 +38,7 @@ struct SplitSum {
 /// What was there, and what there is now. The lights count with their energy, and with their irradiance along their
 /// direction.
 struct SplitBalance {
-  SplitSum whole, lights, rest;
+  SphereSum whole, lights, rest;
 
   /// The largest difference of any channel between the whole and lights plus rest, over the whole's energy in that
   /// channel (where that is not positive, over the luminance's).

@@ -10,21 +10,21 @@ namespace {
 
 std::array<double, 3> channels(RgbD c) { return {c.r, c.g, c.b}; }
 
-void add(SplitSum& sum, RgbD energy, Vec3 toward) {
+void add(SphereSum& sum, RgbD energy, Vec3 toward) {
   sum.energy += energy;
   const std::array<double, 3> parts = channels(energy);
   for (int c = 0; c < 3; ++c) sum.vector[c] += parts[c] * toward;
 }
 
-void join(SplitSum& sum, const SplitSum& part) {
+void join(SphereSum& sum, const SphereSum& part) {
   sum.energy += part.energy;
   for (int c = 0; c < 3; ++c) sum.vector[c] += part.vector[c];
 }
 
 /// A row of a panorama: one solid angle, one height, and azimuths whose cosines are at hand.
-void add_even_row(SplitSum& sum, std::span<const Rgb> row, std::span<const Vec3> around, double polar,
+void add_even_row(SphereSum& sum, std::span<const Rgb> row, std::span<const Vec3> around, double polar,
                   double solid_angle) {
-  SplitSum level;  // as if all lay on the horizon
+  SphereSum level;  // as if all lay on the horizon
   for (std::size_t x = 0; x < row.size(); ++x) {
     const double r = row[x].r, g = row[x].g, b = row[x].b, east = around[x].x, north = around[x].y;
     level.energy += RgbD{r, g, b};
@@ -49,14 +49,14 @@ double relative(const std::array<double, 3>& difference, const std::array<double
   return worst;
 }
 
-Vec3 luminance_of(const SplitSum& sum) {
+Vec3 luminance_of(const SphereSum& sum) {
   return luminance(Color3<double>(1, 0, 0)) * sum.vector[0] + luminance(Color3<double>(0, 1, 0)) * sum.vector[1] +
          luminance(Color3<double>(0, 0, 1)) * sum.vector[2];
 }
 
 }  // namespace
 
-SplitSum split_sum(const Environment& e, const Mapping& mapping, const Run& run) {
+SphereSum sphere_sum(const Environment& e, const Mapping& mapping, const Run& run) {
   const ImageSize size = mapping.size();
   const bool even_rows = mapping.projection().layout == Layout::kEquirect;
   std::vector<Vec3> around;
@@ -67,9 +67,9 @@ SplitSum split_sum(const Environment& e, const Mapping& mapping, const Run& run)
     }
   }
   return reduce_blocks(
-      run, "split: energy", size.height, 16, SplitSum{},
+      run, "split: energy", size.height, 16, SphereSum{},
       [&](Block block) {
-        SplitSum part;
+        SphereSum part;
         for (int y = block.begin; y < block.end; ++y) {
           if (even_rows) {
             add_even_row(part, e.radiance.row(y), around, kPi * (y + 0.5) / size.height, mapping.solid_angle(0, y));
@@ -82,11 +82,11 @@ SplitSum split_sum(const Environment& e, const Mapping& mapping, const Run& run)
         }
         return part;
       },
-      [](SplitSum& total, const SplitSum& part) { join(total, part); });
+      [](SphereSum& total, const SphereSum& part) { join(total, part); });
 }
 
-SplitSum split_sum(const std::vector<SplitLight>& lights) {
-  SplitSum sum;
+SphereSum sphere_sum(const std::vector<SplitLight>& lights) {
+  SphereSum sum;
   for (const SplitLight& light : lights) {
     sum.energy += light.energy;
     const std::array<double, 3> irradiance = channels(light.irradiance);

@@ -6,9 +6,9 @@
 namespace zonal {
 
 /// Of what a picture shows.
-SplitSum split_sum(const Environment&, const Mapping&, const Run&);
+SphereSum sphere_sum(const Environment&, const Mapping&, const Run&);
 
 /// Of discs of light.
-SplitSum split_sum(const std::vector<SplitLight>&);
+SphereSum sphere_sum(const std::vector<SplitLight>&);
 
 }  // namespace zonal

@@ -19,9 +19,9 @@ inline Environment sky(int rows, Rgb radiance = {1, 1, 1}) {
 inline double disc(double half_angle) { return 2 * kPi * (1 - std::cos(half_angle)); }
 
 /// The sums of split.h again, texel by texel.
-inline SplitSum summed(const Environment& e) {
+inline SphereSum summed(const Environment& e) {
   const Mapping mapping(e.projection, {e.radiance.width(), e.radiance.height()});
-  SplitSum sum;
+  SphereSum sum;
   for (int y = 0; y < e.radiance.height(); ++y) {
     for (int x = 0; x < e.radiance.width(); ++x) {
       const auto toward = mapping.texel_direction(x, y);
@@ -40,7 +40,7 @@ inline SplitSum summed(const Environment& e) {
 inline void expect_balance(const Environment& whole, const SplitEnvironment& split) {
   EXPECT_LE(split.balance.energy_difference(), kRounding);
   EXPECT_LE(split.balance.vector_difference(), kRounding);
-  const SplitSum before = summed(whole), after = summed(split.rest);
+  const SphereSum before = summed(whole), after = summed(split.rest);
   RgbD lights;
   Vec3 vector = luminance(RgbD(1, 0, 0)) * (before.vector[0] - after.vector[0]) +
                 luminance(RgbD(0, 1, 0)) * (before.vector[1] - after.vector[1]) +

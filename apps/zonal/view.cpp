@@ -1,0 +1,125 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "apps/zonal/input_options.h"
+#include "apps/zonal/run_options.h"
+#include "apps/zonal/verbs.h"
+#include "apps/zonal/view_screenshot.h"
+#include "apps/zonal/view_window.h"
+#include "zonal/base/error.h"
+#include "zonal/io/file.h"
+#include "zonal/light/synthetic.h"
+#include "zonal/view/page.h"
+#include "zonal/view/view_data.h"
+#include "zonal/view/view_state.h"
+
+namespace zonal {
+namespace {
+
+struct ViewOptions {
+  InputOptions input;
+  std::string technique, mesh, settings;
+  std::filesystem::path screenshot, html;
+  std::string size = "1280x720";
+  bool list = false;
+};
+
+/// The panorama to look at; without a file a clear day.
+Environment panorama_of(const ViewOptions& options, Call& call) {
+  if (options.input.paths.empty()) {
+    return daylight_sky({Layout::kEquirect}, image_size(Layout::kEquirect, 256), {}, call.run);
+  }
+  Input input = read_input(options.input, call);
+  return whole_light(input, options.input, call).environment;
+}
+
+ViewState state_of(const ViewOptions& options) {
+  std::string text = options.settings;
+  const auto add = [&](const char* name, const std::string& value) {
+    if (!value.empty()) text += fmt::format("{}{}={}", text.empty() ? "" : "&", name, value);
+  };
+  add("technique", options.technique);
+  ViewState state = parse_state(text);
+  if (!options.mesh.empty()) state.mesh = options.mesh;  // a path may have any characters in it
+  return state;
+}
+
+void list_techniques(Call& call) {
+  JsonValue::Array list;
+  std::string_view group;
+  for (const Technique& technique : all_techniques()) {
+    if (technique.group != group) call.console.answer(fmt::format("{}", group = technique.group));
+    call.console.answer(fmt::format("  {:18} {}", technique.id, technique.title));
+    list.push_back(JsonValue::Object{{"id", std::string(technique.id)}, {"title", std::string(technique.title)}});
+  }
+  call.console.answer("Settings");
+  for (const Control& control : all_controls()) {
+    call.console.answer(fmt::format("  {:18} {}, {} to {}, {} at first", control.name, control.label,
+                                    shortest(control.least), shortest(control.greatest), shortest(control.initial)));
+  }
+  call.console.field("techniques", list);
+}
+
+void write_page(const ViewData& data, const ViewState& state, const ViewOptions& options, Call& call) {
+  const std::string name = options.input.paths.empty() ? "A clear day" : options.input.paths[0].filename().string();
+  const std::string html =
+      view_page_html(data, {.title = name, .subtitle = "lit by all techniques, beside the exact answer", .state = state});
+  write_file(options.html, html);
+  call.console.wrote(options.html, html.size(), "a page to look at");
+}
+
+void open_window(const ViewOptions& options, const ViewState& state, Call& call) {
+  const std::string name = options.input.paths.empty() ? "a clear day" : options.input.paths[0].filename().string();
+  const auto light = [&options](const Run& run) {
+    Call background;  // notes and warnings go to the terminal as they do elsewhere
+    background.run = run;
+    return panorama_of(options, background);
+  };
+  open_view_window(state, name, light, {}, call);
+}
+
+void run_view(const ViewOptions& options, Call& call) {
+  if (options.list) return list_techniques(call);
+  ViewState state = state_of(options);
+  const bool page = !options.html.empty();
+  if (!page && options.screenshot.empty()) return open_window(options, state, call);
+  const ViewData data =
+      view_data(panorama_of(options, call), page ? view_page_data_options() : ViewDataOptions(), call.run);
+  if (page) write_page(data, state, options, call);
+  if (page && options.screenshot.empty()) return;
+  if (!state.controls.contains("exposure_ev")) state.set("exposure_ev", std::round(4 * data.exposure_ev) / 4);
+  write_screenshot(data, state, options.screenshot, options.size, call);
+}
+
+}  // namespace
+
+void add_view(CLI::App& app, Call& call) {
+  auto options = std::make_shared<ViewOptions>();
+  CLI::App& verb = *app.add_subcommand("view", "Techniques of lighting by the environment, side by side with the exact answer.");
+  add_input_options(verb, options->input);
+  verb.get_option("IN")->required(false);  // there is a sky to look at without one
+  constexpr const char* kGroup = "View";
+  verb.add_option("--technique", options->technique, "what to show: see --list")->group(kGroup);
+  verb.add_option("--mesh", options->mesh, "sphere, torus-knot, bumpy, or a file: OBJ, PLY, glTF")->group(kGroup);
+  verb.add_option("--set", options->settings, "settings, as a page keeps them in its address: \"roughness=0.4&yaw=30\"")
+      ->group(kGroup);
+  verb.add_option("--screenshot", options->screenshot, "draws one picture, without a display")->group(kGroup);
+  verb.add_option("--html", options->html,
+                  "writes a page that draws all of it in a browser; a --screenshot is then of the page's own, smaller maps")
+      ->group(kGroup);
+  verb.add_option("--size", options->size, "of the picture, in pixels")->capture_default_str()->group(kGroup);
+  verb.add_flag("--list", options->list, "the techniques and the settings that there are")->group(kGroup);
+  add_run_options(verb, call);
+  verb.footer(
+      "Examples:\n"
+      "  zonal view sunset.hdr                     opens a window: drop images and meshes into it\n"
+      "  zonal view sunset.hdr --technique split-sum --screenshot ball.png\n"
+      "  zonal view sunset.hdr --mesh torus-knot --set \"technique=sh-bands&bands=3&compare=3\" --screenshot knot.png\n"
+      "  zonal view sunset.hdr --html sunset.html\n"
+      "  zonal view --list");
+  verb.callback([options, &call] { run_view(*options, call); });
+}
+
+}  // namespace zonal
