@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "zonal/base/check.h"
@@ -14,42 +13,51 @@
 
 namespace zonal {
 
-/// The N^2 basis functions at the unit direction (x, y, z) into out, unrolled by the compiler: no loop, no branch, no
-/// table in memory.
-template <int N, class T>
-constexpr void basis_unrolled(T x, T y, T z, T* out) {
-  constexpr const BasisConstants<N>& k = kBasisConstants<N>;
-  // One column of equal m: sin^m cos(m phi) and sin^m sin(m phi) times a polynomial in z.
-  const auto column = [&]<int m>(T cosine, T sine) {
-    T before = 0, now = static_cast<T>(k.start[m]);
-    const auto step = [&]<int l>() {
-      if constexpr (l > m) {
-        const T next = static_cast<T>(k.slope[l][m]) * z * now - static_cast<T>(k.offset[l][m]) * before;
-        before = now;
-        now = next;
-      }
-      if constexpr (m == 0) {
-        out[coefficient_index(l, 0)] = now;
-      } else {
-        out[coefficient_index(l, m)] = now * cosine;
-        out[coefficient_index(l, -m)] = now * sine;
-      }
-    };
-    [&]<int... i>(std::integer_sequence<int, i...>) { (step.template operator()<m + i>(), ...); }
-    (std::make_integer_sequence<int, N - m>());
-  };
-  T cosine = 1, sine = 0;
-  [&]<int... m>(std::integer_sequence<int, m...>) {
-    (
-        [&] {
-          column.template operator()<m>(cosine, sine);
-          const T next = x * cosine - y * sine;
-          sine = x * sine + y * cosine;
-          cosine = next;
-        }(),
-        ...);
+namespace basis_detail {
+
+/// The functions of order m from band l on: sin^m cos(m phi) and sin^m sin(m phi) times a polynomial in z. `now` and
+/// `before` are the polynomials of the two bands below l.
+template <int N, int m, int l, class Scalar, class T, class Out>
+[[gnu::always_inline]] constexpr void column(T z, T before, T now, T cosine, T sine, Out out) {
+  constexpr double start = kBasisConstants<N>.start[m], slope = kBasisConstants<N>.slope[l][m],
+                   offset = kBasisConstants<N>.offset[l][m];
+  T next = {};
+  if constexpr (l == m) {
+    next = T{} + static_cast<Scalar>(start);
+  } else if constexpr (l == m + 1) {
+    next = static_cast<Scalar>(slope * start) * z;
+  } else if constexpr (l == m + 2) {
+    next = static_cast<Scalar>(slope) * z * now - static_cast<Scalar>(offset * start);
+  } else {
+    next = static_cast<Scalar>(slope) * z * now - static_cast<Scalar>(offset) * before;
   }
-  (std::make_integer_sequence<int, N>());
+  if constexpr (m == 0) {
+    out[coefficient_index(l, 0)] = next;
+  } else {
+    out[coefficient_index(l, m)] = next * cosine;
+    out[coefficient_index(l, -m)] = next * sine;
+  }
+  if constexpr (l + 1 < N) column<N, m, l + 1, Scalar>(z, now, next, cosine, sine, out);
+}
+
+/// The functions of order m and above.
+template <int N, int m, class Scalar, class T, class Out>
+[[gnu::always_inline]] constexpr void columns(T x, T y, T z, T cosine, T sine, Out out) {
+  column<N, m, m, Scalar>(z, T{}, T{}, cosine, sine, out);
+  if constexpr (m + 1 < N && m == 0) columns<N, 1, Scalar>(x, y, z, x, y, out);
+  if constexpr (m + 1 < N && m > 0) {
+    columns<N, m + 1, Scalar>(x, y, z, x * cosine - y * sine, x * sine + y * cosine, out);
+  }
+}
+
+}  // namespace basis_detail
+
+/// The N^2 basis functions at the unit direction (x, y, z) into out, unrolled by the compiler: no loop, no branch, no
+/// table in memory. T may be a SIMD vector of Scalars, and `out` anything with an operator[]. (Neither lambda nor library
+/// call: kernels use it, which must not share code.)
+template <int N, class T, class Scalar = T, class Out = T*>
+[[gnu::always_inline]] constexpr void basis_unrolled(T x, T y, T z, Out out) {
+  basis_detail::columns<N, 0, Scalar>(x, y, z, T{} + Scalar(1), T{}, out);
 }
 
 /// Calls visit(i, y_i(direction)) for each basis function of any number of bands, in order of |m|. In double.

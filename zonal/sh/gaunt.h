@@ -15,7 +15,7 @@ struct GauntIntegral {
 };
 
 /// Every integral of `bands` bands that is not zero, 1 <= bands <= 6, sorted by k, j, i: 1, 4, 25, 77, 238, 549 of
-/// them. Computed by the compiler, to a few roundings.
+/// them. Computed by the compiler, to a few roundings (gaunt_list.h).
 std::span<const GauntIntegral> gaunt_integrals(int bands);
 
 }  // namespace zonal

@@ -1,25 +1,37 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "zonal/sh/sh.h"
 
 namespace zonal {
 
-/// A function on the sphere at a unit direction d, to second order.
+/// A function on the sphere at a unit direction d, to first order.
+struct ValueAndGradient {
+  double value = 0;
+  Vec3 gradient;  ///< with respect to angle, per radian; tangent to the sphere
+};
+
+/// And to second order.
 struct Jet {
   double value = 0;
-  Vec3 gradient;                     ///< with respect to angle, per radian; tangent to the sphere
+  Vec3 gradient;
   std::array<Vec3, 3> hessian_rows;  ///< u.(H v) for tangents u, v is the second derivative along the sphere
 };
 
-/// Evaluates a function with its first two derivatives. Everything that depends on the function alone is done once. No
-/// angles are used, so the poles are like any other place. For up to 300 bands, beyond which a double overflows.
+/// Value and gradient of the function with these bands^2 coefficients at a unit direction, as JetEvaluator has them.
+/// O(bands^2), no heap.
+ValueAndGradient value_and_gradient(std::span<const double> sh, int bands, Vec3 direction);
+
+/// Evaluates a function of any number of bands with its first two derivatives; exact to rounding, which grows l times
+/// in band l with each derivative. Everything that depends on the function alone is done once. No angles are used, so
+/// the poles are like any other place.
 class JetEvaluator {
  public:
   explicit JetEvaluator(const Sh<double>&);
-  /// At a unit direction. O(bands^2), no allocation.
+  /// At a unit direction. O(bands^2), no heap.
   Jet operator()(Vec3 direction) const;
 
  private:

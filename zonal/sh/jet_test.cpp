@@ -48,6 +48,27 @@ TEST(Jet, IsTheValueAndItsDifferences) {
   EXPECT_EQ(compared, 5 * 24);
 }
 
+TEST(Jet, IsTheSameAmongManyEmptyBands) {
+  // More than 300 bands are scaled; what is in the first ones must not notice.
+  std::mt19937 random(3);
+  const Sh<double> few = random_function(40, random), many = with_bands(few, 700);
+  const JetEvaluator jet_at(few), same_at(many);
+  std::vector<Vec3> directions = spiral_directions(20);
+  directions.insert(directions.end(), {{0, 0, 1}, {0, 0, -1}, normalize({1e-4, -2e-5, 1}), normalize({1e-9, 0, -1})});
+  int compared = 0;
+  for (const Vec3 d : directions) {
+    const Jet jet = jet_at(d), same = same_at(d);
+    // Rounding of 1600 terms, 40 times larger with each derivative.
+    EXPECT_NEAR(same.value, jet.value, 1e-12);
+    EXPECT_NEAR(length(same.gradient - jet.gradient), 0, 4e-11);
+    for (std::size_t row = 0; row < 3; ++row) {
+      EXPECT_NEAR(length(same.hessian_rows[row] - jet.hessian_rows[row]), 0, 1.6e-9);
+    }
+    ++compared;
+  }
+  EXPECT_EQ(compared, 24);
+}
+
 TEST(Jet, BoundsHold) {
   std::mt19937 random(2);
   for (int bands = 2; bands <= 8; ++bands) {

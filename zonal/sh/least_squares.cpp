@@ -84,7 +84,7 @@ Eigen::MatrixXd triangle(std::span<const ShSample<T>> samples, const std::vector
 }
 
 template <class T>
-ShFit<T> fit(std::span<const ShSample<T>> samples, int bands, double ridge) {
+LeastSquaresFit<T> fit(std::span<const ShSample<T>> samples, int bands, double ridge) {
   if (bands < 1 || bands > kMaxBands) {
     throw Error(ErrorKind::kUsage, "samples are fitted by 1 to 32 bands, not " + std::to_string(bands),
                 "for more, fill a panorama and project it");
@@ -125,7 +125,7 @@ ShFit<T> fit(std::span<const ShSample<T>> samples, int bands, double ridge) {
     const double beyond = r.col(unknowns + c).tail(kChannels<T>).squaredNorm();
     residual(c) = std::sqrt((reached + beyond) / (4 * kPi));
   }
-  ShFit<T> result;
+  LeastSquaresFit<T> result;
   result.coefficients = Sh<T>(bands);
   for (Eigen::Index i = 0; i < unknowns; ++i) {
     result.coefficients[static_cast<std::size_t>(i)] = from_channels(T(), solution.row(i));
@@ -137,11 +137,11 @@ ShFit<T> fit(std::span<const ShSample<T>> samples, int bands, double ridge) {
 
 }  // namespace
 
-ShFit<double> fit_sh(std::span<const ShSample<double>> samples, int bands, double ridge) {
+LeastSquaresFit<double> fit_sh(std::span<const ShSample<double>> samples, int bands, double ridge) {
   return fit(samples, bands, ridge);
 }
 
-ShFit<RgbD> fit_sh(std::span<const ShSample<RgbD>> samples, int bands, double ridge) {
+LeastSquaresFit<RgbD> fit_sh(std::span<const ShSample<RgbD>> samples, int bands, double ridge) {
   return fit(samples, bands, ridge);
 }
 

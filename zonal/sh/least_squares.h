@@ -16,7 +16,7 @@ struct ShSample {
 
 /// The fit and how well it stands.
 template <class T>
-struct ShFit {
+struct LeastSquaresFit {
   Sh<T> coefficients;
   T residual = {};       ///< sqrt(sum weight (fit - value)^2 / sum weight), for each channel
   double condition = 1;  ///< at most this factor lies between relative errors of the values and of the coefficients
@@ -34,7 +34,7 @@ struct ShFit {
 /// and project it). Throws Error{kInput} where a direction is zero, a number is not finite, a weight is negative, all
 /// weights are zero; and, without a ridge, where samples of positive weight are fewer than coefficients or lie so that
 /// they leave some combination of coefficients open.
-ShFit<double> fit_sh(std::span<const ShSample<double>>, int bands, double ridge = 0);
-ShFit<RgbD> fit_sh(std::span<const ShSample<RgbD>>, int bands, double ridge = 0);
+LeastSquaresFit<double> fit_sh(std::span<const ShSample<double>>, int bands, double ridge = 0);
+LeastSquaresFit<RgbD> fit_sh(std::span<const ShSample<RgbD>>, int bands, double ridge = 0);
 
 }  // namespace zonal

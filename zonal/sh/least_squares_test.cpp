@@ -47,7 +47,7 @@ TEST(FitSh, RecoversBandLimitedFunctionsFromAnyDirections) {
       for (const Vec3 d : random_directions(count, 5)) {
         samples.push_back({d, evaluate(truth, normalize(d)), weight(random)});
       }
-      const ShFit<double> found = fit_sh(samples, bands);
+      const LeastSquaresFit<double> found = fit_sh(samples, bands);
       // The basis has norm bands/sqrt(4 pi): so many roundings, times what the arrangement loses.
       const double allowed = 20 * kEps * bands * found.condition;
       for (std::size_t i = 0; i < truth.size(); ++i, ++compared) {
@@ -74,7 +74,7 @@ TEST(FitSh, IsTheQuadratureWhereTheSamplesAreARuleAndItsWeights) {
                   [&, at = d, w = weight](int i, double y) { sums[static_cast<std::size_t>(i)] += w * y * f(at); });
       energy += weight * f(d) * f(d);
     }
-    const ShFit<RgbD> found = fit_sh(samples, bands), ridged = fit_sh(samples, bands, 0.25);
+    const LeastSquaresFit<RgbD> found = fit_sh(samples, bands), ridged = fit_sh(samples, bands, 0.25);
     EXPECT_NEAR(found.condition, 1, 1e-13) << "the basis is orthonormal under the rule";
     for (std::size_t i = 0; i < sums.size(); ++i, ++compared) {
       EXPECT_NEAR(found.coefficients[i].r, sums[i].r, 1e-14);
@@ -95,7 +95,7 @@ TEST(FitSh, AgreesWithTheProjectionOfAFunctionOfItsBands) {
   const auto f = [](Vec3 d) { return 1 + d.x * d.y - 0.3 * d.z; };
   std::vector<ShSample<double>> samples;
   for (const Vec3 d : random_directions(40, 8)) samples.push_back({d, f(normalize(d))});
-  const ShFit<double> fitted = fit_sh(samples, 3);
+  const LeastSquaresFit<double> fitted = fit_sh(samples, 3);
   const Sh<double> projected = project_function(f, 3, 2);
   for (std::size_t i = 0; i < projected.size(); ++i) EXPECT_NEAR(fitted.coefficients[i], projected[i], 1e-13);
 }
@@ -113,7 +113,7 @@ TEST(FitSh, SpreadsNoiseAsTheoryHasIt) {
   double chi2 = 0, residual2 = 0;
   for (int trial = 0; trial < kTrials; ++trial) {
     for (ShSample<double>& s : samples) s.value = evaluate(truth, s.direction) + noise(random);
-    const ShFit<double> found = fit_sh(samples, kBands);
+    const LeastSquaresFit<double> found = fit_sh(samples, kBands);
     for (const ShSample<double>& s : samples) {
       chi2 += std::pow(evaluate(found.coefficients - truth, s.direction) / kNoise, 2);
     }
@@ -138,7 +138,7 @@ TEST(FitSh, WeightsSayWhatCounts) {
   }
   weighted.push_back({{1, 0, 0}, 1e6, 0});
   weighted.push_back({{0, 1, 0}, -1e6, 0});
-  const ShFit<double> a = fit_sh(plain, 3), b = fit_sh(weighted, 3);
+  const LeastSquaresFit<double> a = fit_sh(plain, 3), b = fit_sh(weighted, 3);
   for (std::size_t i = 0; i < 9; ++i) EXPECT_NEAR(a.coefficients[i], b.coefficients[i], 1e-13);
   EXPECT_NEAR(a.residual, b.residual, 1e-14);
   EXPECT_GT(a.residual, 0.1);
@@ -150,7 +150,7 @@ TEST(FitSh, ARidgeDecidesWhatSamplesLeaveOpen) {
   const Vec3 d = normalize({1, 2, 2});
   const std::vector<ShSample<double>> one = {{d, 5.0}};
   constexpr double kRidge = 0.01;
-  const ShFit<double> found = fit_sh(one, 3, kRidge);
+  const LeastSquaresFit<double> found = fit_sh(one, 3, kRidge);
   std::vector<double> y(9);
   basis<double>(3, d, y);
   const double norm2 = 9 / (4 * kPi);  // addition theorem; one row of length sqrt(4 pi norm2) = 3
@@ -219,7 +219,7 @@ TEST(FitSh, RefusesWhatCannotBeFitted) {
 TEST(FitSh, SurvivesWeightsOfAnySize) {
   std::vector<ShSample<double>> samples;
   for (const Vec3 d : spiral_directions(30)) samples.push_back({d, d.x, 1e308});
-  const ShFit<double> found = fit_sh(samples, 2);
+  const LeastSquaresFit<double> found = fit_sh(samples, 2);
   EXPECT_NEAR(found.coefficients(1, 1), std::sqrt(4 * kPi / 3), 1e-14);
 }
 

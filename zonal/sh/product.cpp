@@ -4,6 +4,7 @@
 
 #include "zonal/math/legendre.h"
 #include "zonal/math/quadrature.h"
+#include "zonal/sh/product_kernel.h"
 
 namespace zonal {
 namespace {
@@ -70,7 +71,28 @@ class Ring {
   std::vector<double> legendre_;  // columns of equal m, l = m..bands-1
 };
 
+const ProductKernels& best_kernels() {
+  static const ProductKernels& kernels = product_kernels(best_isa());
+  return kernels;
+}
+
+template <class T>
+void multiply(void (*const (&kernels)[kMaxStaticBands])(const T*, const T*, T*), int bands, std::span<const T> f,
+              std::span<const T> g, std::span<T> result) {
+  const auto size = static_cast<std::size_t>(coefficient_count(bands));
+  check(1 <= bands && bands <= kMaxStaticBands && f.size() == size && g.size() == size && result.size() == size,
+        "multiply_few_bands takes functions of 1 to 6 bands");
+  kernels[bands - 1](f.data(), g.data(), result.data());
+}
+
 }  // namespace
+
+void multiply_few_bands(int bands, std::span<const float> f, std::span<const float> g, std::span<float> result) {
+  multiply(best_kernels().in_float, bands, f, g, result);
+}
+void multiply_few_bands(int bands, std::span<const double> f, std::span<const double> g, std::span<double> result) {
+  multiply(best_kernels().in_double, bands, f, g, result);
+}
 
 std::vector<double> multiply_on_sphere(std::span<const double> f, std::span<const double> g, int result_bands) {
   check(result_bands >= 1, "a product needs at least one band of each");

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "zonal/base/check.h"
-#include "zonal/sh/gaunt.h"
 #include "zonal/sh/sh.h"
 
 namespace zonal {
@@ -21,15 +20,6 @@ inline constexpr bool kIsColor = false;
 template <class T>
 inline constexpr bool kIsColor<Color3<T>> = true;
 
-template <class A, class B>
-constexpr auto multiply_values(const A& a, const B& b) {
-  if constexpr (kIsColor<A> && !kIsColor<B>) {
-    return b * a;
-  } else {
-    return a * b;
-  }
-}
-
 /// The coefficient of a product: a colour when one of them is, in the wider of their precisions.
 template <class A, class B>
 using ProductOf = std::conditional_t<kIsColor<A> || kIsColor<B>, Color3<std::common_type_t<ScalarOf<A>, ScalarOf<B>>>,
@@ -39,44 +29,47 @@ using ProductOf = std::conditional_t<kIsColor<A> || kIsColor<B>, Color3<std::com
 /// of their bands.
 std::vector<double> multiply_on_sphere(std::span<const double> f, std::span<const double> g, int result_bands);
 
-/// One channel of the coefficients; a number is its own every channel.
+/// One channel of a value; a number is its own every channel.
+template <class T>
+constexpr auto& channel_of(T& value, int channel) {
+  if constexpr (kIsColor<std::remove_const_t<T>>) {
+    return channel == 0 ? value.r : channel == 1 ? value.g : value.b;
+  } else {
+    return value;
+  }
+}
+
+/// One channel of the coefficients.
 template <class T, int N>
 std::vector<double> channel_of(const Sh<T, N>& sh, int channel) {
   std::vector<double> values(sh.size());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if constexpr (kIsColor<T>) {
-      values[i] = channel == 0 ? sh[i].r : channel == 1 ? sh[i].g : sh[i].b;
-    } else {
-      values[i] = sh[i];
-    }
-  }
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = channel_of(sh[i], channel);
   return values;
 }
 
-/// The product of functions of at most 6 bands by the list of Gaunt integrals, summed in double. No heap.
+/// The coefficients of f g for functions of 1 to 6 bands, projected on as many: by exact quadrature as well, on rings
+/// that the compiler has prepared, in SIMD lanes. To a few roundings of the precision given; no heap. The spans hold
+/// bands^2 numbers; `result` may be `f` or `g`.
+void multiply_few_bands(int bands, std::span<const float> f, std::span<const float> g, std::span<float> result);
+void multiply_few_bands(int bands, std::span<const double> f, std::span<const double> g, std::span<double> result);
+
+/// The product of functions of any bands up to 6 through multiply_few_bands, channel by channel.
 template <int K, class T, int N, class U, int M>
-Sh<ProductOf<T, U>, K> product_by_list(const Sh<T, N>& f, const Sh<U, M>& g, int bands) {
-  using Sum = decltype(multiply_values(WideOf<T>(), WideOf<U>()));
+Sh<ProductOf<T, U>, K> product_of_few_bands(const Sh<T, N>& f, const Sh<U, M>& g, int bands) {
+  using Scalar = ScalarOf<ProductOf<T, U>>;
   constexpr std::size_t kMost = coefficient_count(kMaxStaticBands);
-  std::array<WideOf<T>, kMost> a = {};
-  std::array<WideOf<U>, kMost> b = {};
-  std::array<Sum, kMost> sum = {};
-  for (std::size_t i = 0; i < std::min(f.size(), kMost); ++i) a[i] = static_cast<WideOf<T>>(f[i]);
-  for (std::size_t i = 0; i < std::min(g.size(), kMost); ++i) b[i] = static_cast<WideOf<U>>(g[i]);
-  // All six orders of i, j, k at once, without a branch; where indices are equal those orders are fewer.
-  constexpr std::array<double, 3> kShare = {1, 1.0 / 2, 1.0 / 6};
-  const auto both = [&](std::size_t i, std::size_t j) {
-    return multiply_values(a[i], b[j]) + multiply_values(a[j], b[i]);
-  };
-  for (const auto& [i, j, k, value] : gaunt_integrals(std::max({f.bands(), g.bands(), bands}))) {
-    const double share = value * kShare[static_cast<std::size_t>(i == j) + static_cast<std::size_t>(j == k)];
-    sum[k] += share * both(i, j);
-    sum[j] += share * both(i, k);
-    sum[i] += share * both(j, k);
-  }
+  const int most = std::max({f.bands(), g.bands(), bands});
+  const std::size_t size = std::min(static_cast<std::size_t>(coefficient_count(most)), kMost);
   Sh<ProductOf<T, U>, K> result(bands);
-  const std::size_t count = std::min(result.size(), kMost);
-  for (std::size_t i = 0; i < count; ++i) result[i] = static_cast<ProductOf<T, U>>(sum[i]);
+  std::array<Scalar, kMost> a, b;
+  for (int channel = 0; channel < (kIsColor<ProductOf<T, U>> ? 3 : 1); ++channel) {
+    for (std::size_t i = 0; i < size; ++i) {
+      a[i] = i < f.size() ? static_cast<Scalar>(channel_of(f[i], channel)) : Scalar(0);
+      b[i] = i < g.size() ? static_cast<Scalar>(channel_of(g[i], channel)) : Scalar(0);
+    }
+    multiply_few_bands(most, std::span(a).first(size), std::span(b).first(size), std::span(a).first(size));
+    for (std::size_t i = 0; i < result.size(); ++i) channel_of(result[i], channel) = a[i];
+  }
   return result;
 }
 
@@ -98,11 +91,13 @@ Sh<ProductOf<T, U>, K> product_by_rings(const Sh<T, N>& f, const Sh<U, M>& g, in
 }
 
 /// f g with a given number of bands, more or fewer than f and g have: product_to<4>(f, g), product_to(f, g, bands).
-/// Up to 6 bands everywhere by the list of Gaunt integrals, without heap where they are static; above, on the sphere.
+/// In the wider of their precisions up to 6 bands everywhere, without heap where they are static; above in double.
 template <int K = kDynamic, class T, int N, class U, int M>
 Sh<ProductOf<T, U>, K> product_to(const Sh<T, N>& f, const Sh<U, M>& g, int bands = K) {
   check(f.bands() >= 1 && g.bands() >= 1 && bands >= 1, "a product needs at least one band of each");
-  if (std::max({f.bands(), g.bands(), bands}) <= kMaxStaticBands) return product_by_list<K>(f, g, bands);
+  if constexpr (std::max({N, M, K}) <= kMaxStaticBands) {
+    if (std::max({f.bands(), g.bands(), bands}) <= kMaxStaticBands) return product_of_few_bands<K>(f, g, bands);
+  }
   return product_by_rings<K>(f, g, bands);
 }
 

@@ -1,106 +1,29 @@
 #include "zonal/sh/rotate.h"
 
-#include <cmath>
-#include <cstdlib>
-#include <numbers>
+#include <array>
+#include <vector>
+
+#include "zonal/sh/rotate_kernel.h"
 
 namespace zonal {
 namespace {
 
-// How band l grows out of band l-1. A coordinate times y_{l-1,a} has a part in band l: it is a handful of y_{l,m} with
-// the weights of terms_of. Read the other way, y_{l,m} is a sum of products of a coordinate and a y_{l-1,a}; turned,
-// the coordinates mix by the matrix R of band 1 and the y_{l-1} by the matrix B of band l-1:
-//   M(m, n) = sum over terms of m and of n: weight_m weight_n R(c_m, c_n) B(a_m, a_n) / (l (2l-1)).
-// The weights are those of Ivanic & Ruedenberg 1996. Their sum runs over the terms of m alone and divides by what one
-// single term of n keeps, which lifts the rounding from band to band: 1e-11 at 64 bands. The sum over both is a
-// projection (the terms of all m are orthogonal), so nothing is lifted.
-
-struct Term {
-  int coordinate = 0;  ///< 0 z, 1 x, -1 y: its m in band 1
-  int a = 0;
-  double weight = 0;
-};
-
-struct Terms {
-  std::array<Term, 5> terms;
-  int count = 0;
-  void add(int coordinate, int a, double weight, int l) {
-    if (std::abs(a) < l) terms[static_cast<std::size_t>(count++)] = {coordinate, a, weight};
-  }
-  const Term* begin() const { return terms.data(); }
-  const Term* end() const { return terms.data() + count; }
-};
-
-/// Ivanic & Ruedenberg 1996, tables 1 and 2, as corrected in 1998.
-Terms terms_of(int l, int m) {
-  const int p = std::abs(m);
-  Terms t;
-  t.add(0, m, std::sqrt(1.0 * (l + m) * (l - m)), l);
-  if (m == 0) {
-    const double v = -std::sqrt(2.0 * (l - 1) * l) / 2;
-    t.add(1, 1, v, l);
-    t.add(-1, -1, v, l);
-    return t;
-  }
-  // cos m phi for m > 0 comes from cos cos and sin sin, sin from sin cos and cos sin; m = 0 has no sine.
-  const int sign = m > 0 ? 1 : -1;
-  const double v = std::sqrt(1.0 * (l + p - 1) * (l + p)) / 2, w = -std::sqrt(1.0 * (l - p - 1) * (l - p)) / 2;
-  const double lower = p == 1 ? std::numbers::sqrt2 * v : v;
-  if (m > 0 || p > 1) t.add(1, sign * (p - 1), lower, l);
-  if (m < 0 || p > 1) t.add(-1, -sign * (p - 1), -sign * lower, l);
-  t.add(1, sign * (p + 1), w, l);
-  t.add(-1, -sign * (p + 1), sign * w, l);
-  return t;
+const RotateKernels& best_kernels() {
+  static const RotateKernels& kernels = rotate_kernels(best_isa());
+  return kernels;
 }
 
-/// Room for one band: the terms of each m, and a row for each coordinate.
-struct Room {
-  std::span<Terms> terms;
-  std::span<double> rows;
-};
-
-void next_block(int l, const double* first, const double* before, double* block, const Room& room) {
-  const int size = 2 * l + 1, inner = 2 * l - 1;
-  for (int m = -l; m <= l; ++m) room.terms[static_cast<std::size_t>(l + m)] = terms_of(l, m);
-  // rows(c)[a], c = -1..1, a = 1-l..l-1: the sum over the terms of m
-  const auto rows = [&](int c) { return room.rows.data() + (1 + c) * inner + (l - 1); };
-  const double scale = 1.0 / (l * inner);
-  for (int m = 0; m < size; ++m) {
-    for (int i = 0; i < 3 * inner; ++i) room.rows[static_cast<std::size_t>(i)] = 0;
-    for (const Term& term : room.terms[static_cast<std::size_t>(m)]) {
-      const double* from = before + (l - 1 + term.a) * inner + (l - 1);
-      for (int c = -1; c <= 1; ++c) {
-        const double weight = scale * term.weight * first[3 * (1 + term.coordinate) + 1 + c];
-        for (int a = 1 - l; a < l; ++a) rows(c)[a] += weight * from[a];
-      }
-    }
-    for (int n = 0; n < size; ++n) {
-      double sum = 0;
-      for (const Term& term : room.terms[static_cast<std::size_t>(n)])
-        sum += term.weight * rows(term.coordinate)[term.a];
-      block[m * size + n] = sum;
-    }
-  }
-}
-
-void grow(std::span<double> blocks, int bands, const Room& room) {
-  const auto block = [&](int l) { return blocks.data() + rotation_entries(l); };
-  for (int l = 2; l < bands; ++l) next_block(l, block(1), block(l - 1), block(l), room);
+template <class T>
+void turn(void (*const (&kernels)[3])(const double*, const T*, T*, long), const Rotation& rotation, int bands,
+          int count, std::span<const T> from, std::span<T> to) {
+  const auto size = static_cast<std::size_t>(count * coefficient_count(bands));
+  check(4 <= bands && bands <= 6 && from.size() == size && to.size() == size,
+        "rotate_by_turns takes functions of 4 to 6 bands");
+  static_assert(sizeof rotation.rows == 9 * sizeof(double), "a rotation is read as a run of numbers");
+  kernels[bands - 4](&rotation.rows[0].x, from.data(), to.data(), count);
 }
 
 }  // namespace
-
-void check_orthogonal(const Rotation& rotation) {
-  const Rotation one = rotation * transpose(rotation);
-  bool ok = true;
-  for (std::size_t i = 0; i < 3; ++i) ok = ok && length(one.rows[i] - Rotation().rows[i]) <= 1e-6;  // false for NaN
-  check(ok, "a rotation must be orthogonal");
-}
-
-bool is_about_z(const Rotation& rotation) {
-  const auto& [x, y, z] = rotation.rows;
-  return x.z == 0 && y.z == 0 && z.x == 0 && z.y == 0 && z.z > 0 && x.x * y.y > x.y * y.x;
-}
 
 void rotation_blocks(const Rotation& rotation, int bands, std::span<double> blocks) {
   check(bands >= 1 && blocks.size() == static_cast<std::size_t>(rotation_entries(bands)),
@@ -113,16 +36,21 @@ void rotation_blocks(const Rotation& rotation, int bands, std::span<double> bloc
   const std::array<double, 9> first = {y.y, y.z, y.x, z.y, z.z, z.x, x.y, x.z, x.x};
   for (std::size_t i = 0; i < 9; ++i) blocks[1 + i] = first[i];
   if (bands <= kMaxStaticBands) {
-    constexpr std::size_t kWidest = 2 * kMaxStaticBands - 1;
-    std::array<Terms, kWidest> terms;
-    std::array<double, 3 * kWidest> rows;
-    grow(blocks, bands, {terms, rows});
+    rotation_detail::grow_few(blocks, bands);
   } else {
     const auto widest = static_cast<std::size_t>(2 * bands - 1);
-    std::vector<Terms> terms(widest);
+    std::vector<rotation_detail::Terms> terms(widest);
     std::vector<double> rows(3 * widest);
-    grow(blocks, bands, {terms, rows});
+    rotation_detail::grow(blocks, bands, {terms, rows});
   }
+}
+
+void rotate_by_turns(const Rotation& rotation, int bands, int count, std::span<const float> from, std::span<float> to) {
+  turn(best_kernels().in_float, rotation, bands, count, from, to);
+}
+void rotate_by_turns(const Rotation& rotation, int bands, int count, std::span<const double> from,
+                     std::span<double> to) {
+  turn(best_kernels().in_double, rotation, bands, count, from, to);
 }
 
 }  // namespace zonal

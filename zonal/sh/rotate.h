@@ -10,6 +10,7 @@
 
 #include "zonal/base/check.h"
 #include "zonal/math/vec.h"
+#include "zonal/sh/rotation_recurrence.h"
 #include "zonal/sh/sh.h"
 
 namespace zonal {
@@ -17,19 +18,25 @@ namespace zonal {
 // Turning a function: (rotate(f, R))(d) = f(R^T d), so what f had at d the result has at R d. Each band turns by an
 // orthogonal matrix of its own. A Rotation with a mirror in it works as well.
 
-/// Entries of the matrices of bands 0..bands-1, of 1, 9, 25 ... entries.
-constexpr int rotation_entries(int bands) { return bands * (4 * bands * bands - 1) / 3; }
-
 /// The matrices of bands 0..bands-1 one after another into `blocks` (rotation_entries(bands) values), each with rows m
 /// and columns n from -l to l. Recurrence from band to band (after Ivanic & Ruedenberg 1996), exact to a few roundings
 /// a band; O(bands^3). `rotation` is orthogonal to 1e-6; what it lacks grows l times in band l.
 void rotation_blocks(const Rotation& rotation, int bands, std::span<double> blocks);
 
-/// Throws std::logic_error unless `rotation` is orthogonal to 1e-6: float input is, NaN is not.
-void check_orthogonal(const Rotation& rotation);
+/// Throws std::logic_error unless `rotation` is orthogonal to 1e-6 (the norm of R R^T - 1): float input is, NaN is not.
+inline void check_orthogonal(const Rotation& rotation) {
+  const auto& [x, y, z] = rotation.rows;
+  const double xx = dot(x, x) - 1, yy = dot(y, y) - 1, zz = dot(z, z) - 1;
+  const double xy = dot(x, y), yz = dot(y, z), xz = dot(x, z);
+  check(xx * xx + yy * yy + zz * zz + 2 * (xy * xy + yz * yz + xz * xz) <= 1e-6 * 1e-6,
+        "a rotation must be orthogonal");
+}
 
 /// Whether `rotation` turns about the Z axis alone, without a mirror.
-bool is_about_z(const Rotation& rotation);
+inline bool is_about_z(const Rotation& rotation) {
+  const auto& [x, y, z] = rotation.rows;
+  return x.z == 0 && y.z == 0 && z.x == 0 && z.y == 0 && z.z > 0 && x.x * y.y > x.y * y.x;
+}
 
 /// A rotation prepared once for many functions of at most `bands` bands. Up to 6 static bands it takes no heap.
 template <int N = kDynamic>
@@ -107,7 +114,7 @@ Sh<T, N> rotate_about_z(Sh<T, N> sh, double cosine, double sine) {
 /// The same for 1, 2 or 3 static bands and any rotation, unrolled: band 1 is a vector v and turns to R v, band 2 is a
 /// symmetric matrix A without trace and turns to R A R^T. In T's own precision.
 template <class T, int N>
-Sh<T, N> rotate_few_bands(const Sh<T, N>& sh, const Rotation& rotation) {
+[[gnu::always_inline]] inline Sh<T, N> rotate_few_bands(const Sh<T, N>& sh, const Rotation& rotation) {
   static_assert(1 <= N && N <= 3);
   using Scalar = ScalarOf<T>;
   using Row = std::array<T, 3>;
@@ -143,25 +150,35 @@ Sh<T, N> rotate_few_bands(const Sh<T, N>& sh, const Rotation& rotation) {
   return result;
 }
 
-/// The same for up to 6 static bands and a rotation without a mirror, as turns about Z and swaps of y and z, whose
-/// matrices are made once in the run of the program: R = Z(a) Y(b) Z(c), and Y(b) is Z(-b) between two swaps (Pinchon &
-/// Hoggan 2007).
+/// The same for `count` functions of 4 to 6 bands, one behind the other: R = Z(a) Y(b) Z(c), and Y(b) is Z(-b) between
+/// two swaps of y and z, which are constant matrices (Pinchon & Hoggan 2007). Does not check the rotation. `to` may be
+/// `from`.
+void rotate_by_turns(const Rotation& rotation, int bands, int count, std::span<const float> from, std::span<float> to);
+void rotate_by_turns(const Rotation& rotation, int bands, int count, std::span<const double> from,
+                     std::span<double> to);
+
 template <class T, int N>
 Sh<T, N> rotate_by_turns(const Sh<T, N>& sh, const Rotation& rotation) {
-  static_assert(1 <= N && N <= kMaxStaticBands);
-  static const ShRotation<N> swap_yz(Rotation{{Vec3{1, 0, 0}, Vec3{0, 0, 1}, Vec3{0, 1, 0}}});
-  const auto& [x, y, z] = rotation.rows;
-  const double sin_b = std::hypot(x.z, y.z);
-  const double cos_a = sin_b > 0 ? x.z / sin_b : 1, sin_a = sin_b > 0 ? y.z / sin_b : 0;
-  // Next to the pole a is anybody's guess; c is taken from Z(-a) R, so that the guess does not matter.
-  const double sin_c = cos_a * y.x - sin_a * x.x, cos_c = cos_a * y.y - sin_a * x.y;
-  const Sh<T, N> tipped = rotate_about_z(swap_yz.apply(rotate_about_z(sh, cos_c, sin_c)), z.z, -sin_b);
-  return rotate_about_z(swap_yz.apply(tipped), cos_a, sin_a);
+  Sh<T, N> result = sh;  // not zeros, for which g++ takes an instruction of 10 ns
+  if constexpr (std::is_floating_point_v<T>) {
+    rotate_by_turns(rotation, N, 1, sh.values(), result.values());
+  } else {
+    constexpr std::size_t kCount = coefficient_count(N);
+    std::array<ScalarOf<T>, 3 * kCount> channels;
+    for (std::size_t i = 0; i < kCount; ++i) {
+      channels[i] = sh[i].r;
+      channels[kCount + i] = sh[i].g;
+      channels[2 * kCount + i] = sh[i].b;
+    }
+    rotate_by_turns(rotation, N, 3, std::span<const ScalarOf<T>>(channels), channels);
+    for (std::size_t i = 0; i < kCount; ++i) result[i] = {channels[i], channels[kCount + i], channels[2 * kCount + i]};
+  }
+  return result;
 }
 
-/// (rotate(f, R))(d) = f(R^T d). For one function; ShRotation for many. O(bands^3), O(bands^2) about Z; no heap up to 6
-/// static bands, the turns about Z in T's own precision there. Throws std::logic_error where R is not orthogonal to
-/// 1e-6.
+/// (rotate(f, R))(d) = f(R^T d). For one function; ShRotation for many by the same rotation, rotate_batch (batch.h) for
+/// many at once. O(bands^3), O(bands^2) about Z. Up to 6 static bands it takes no heap and computes in T's own
+/// precision. Throws std::logic_error where R is not orthogonal to 1e-6.
 template <class T, int N>
 Sh<T, N> rotate(const Sh<T, N>& sh, const Rotation& rotation) {
   check_orthogonal(rotation);
@@ -171,9 +188,10 @@ Sh<T, N> rotate(const Sh<T, N>& sh, const Rotation& rotation) {
   } else {
     if (is_about_z(rotation)) return rotate_about_z(sh, rotation.rows[0].x, rotation.rows[1].x);
     if constexpr (N != kDynamic && N <= kMaxStaticBands) {
-      if (determinant(rotation) > 0) return rotate_by_turns(sh, rotation);
+      return rotate_by_turns(sh, rotation);
+    } else {
+      return ShRotation<N>(rotation, sh.bands()).apply(sh);
     }
-    return ShRotation<N>(rotation, sh.bands()).apply(sh);
   }
 }
 

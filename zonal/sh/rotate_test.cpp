@@ -9,6 +9,7 @@
 #include "zonal/math/sphere_rule.h"
 #include "zonal/sh/eval.h"
 #include "zonal/sh/irradiance.h"
+#include "zonal/sh/rotate_kernel.h"
 
 namespace zonal {
 namespace {
@@ -151,6 +152,61 @@ TEST(Rotate, AboutZTakesTheShortWay) {
   EXPECT_FALSE(is_about_z(Rotation{{Vec3{1, 0, 0}, Vec3{0, -1, 0}, Vec3{0, 0, 1}}}));
   const Sh<double> sh = wavy<double, kDynamic>(30);
   EXPECT_LT(worst_difference(rotate(sh, r), ShRotation(r, 30).apply(sh)), 1e-13);  // cos 29 a by 29 products
+}
+
+/// Next to the poles of every decomposition, and with a mirror in front of them.
+std::vector<Rotation> delicate_rotations() {
+  std::vector<Rotation> all = rotations();
+  for (const double angle : {1e-3, 1e-5, 1e-7, 1e-9, 1e-12, 1e-15, 1e-16, 1e-30, 1e-160}) {
+    for (const Rotation& tip : {Rotation::about_x(angle), Rotation::about_y(-angle), Rotation::about_x(kPi - angle)}) {
+      all.push_back(tip);
+      all.push_back(Rotation::about_z(0.3) * tip * Rotation::about_z(2));
+    }
+  }
+  const std::size_t proper = all.size();
+  for (std::size_t i = 0; i < proper; ++i) all.push_back(all[i] * Rotation{{Vec3{1, 0, 0}, Vec3{0, -1, 0}, {0, 0, 1}}});
+  return all;
+}
+
+/// The kernel against the matrices of the recurrence.
+template <int N, class T, class Kernel>
+double worst_of_kernel(Kernel kernel, int* compared) {
+  double worst = 0;
+  for (const Rotation& r : delicate_rotations()) {
+    const ShRotation<N> exact(r);
+    std::array<Sh<T, N>, 3> from, to;
+    for (std::size_t f = 0; f < from.size(); ++f) {
+      for (std::size_t i = 0; i < from[f].size(); ++i)
+        from[f][i] = static_cast<T>(std::sin(1.7 * static_cast<double>(i + 40 * f) + 0.4));
+    }
+    static_assert(sizeof from == 3 * N * N * sizeof(T), "functions one behind the other");
+    kernel(&r.rows[0].x, &from[0][0], &to[0][0], 3);
+    for (std::size_t f = 0; f < from.size(); ++f, ++*compared) {
+      worst = std::max(worst, worst_difference(cast<double>(to[f]), exact.apply(cast<double>(from[f]))));
+    }
+  }
+  return worst;
+}
+
+TEST(Rotate, TurnsAgreeWithTheRecurrenceOnEveryInstructionSet) {
+  int compared = 0;
+  // An angle that is rounded once moves order m by m roundings: three turns of order 5 and two swaps of three terms, in
+  // a band of norm 2.
+  constexpr double kRoundings = 2 * (3 * 5 + 2 * 3);
+  for (const Isa isa : available_isas()) {
+    [&]<int... n>(std::integer_sequence<int, n...>) {
+      (
+          [&] {
+            const auto& kernels = rotate_kernels(isa);
+            EXPECT_LT((worst_of_kernel<n + 4, float>(kernels.in_float[n], &compared)), kRoundings * 6e-8);
+            EXPECT_LT((worst_of_kernel<n + 4, double>(kernels.in_double[n], &compared)), kRoundings * 1.1e-16);
+          }(),
+          ...);
+    }
+    (std::make_integer_sequence<int, 3>());
+  }
+  EXPECT_EQ(compared, static_cast<int>(available_isas().size() * 3 * 2 * 3 * delicate_rotations().size()));
+  EXPECT_EQ(delicate_rotations().size(), 2 * (9 + 9 * 3 * 2));
 }
 
 TEST(Rotate, RefusesWhatIsNoRotation) {

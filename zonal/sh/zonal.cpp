@@ -17,9 +17,14 @@ std::vector<double> zonal_from_factors(std::span<const double> factors) {
   return zonal;
 }
 
+void factors_from_zonal(std::span<const double> zonal, std::span<double> factors) {
+  check(zonal.size() == factors.size(), "one factor for each zonal coefficient");
+  for (std::size_t l = 0; l < factors.size(); ++l) factors[l] = zonal[l] / weight(l);
+}
+
 std::vector<double> factors_from_zonal(std::span<const double> zonal) {
-  std::vector<double> factors(zonal.begin(), zonal.end());
-  for (std::size_t l = 0; l < factors.size(); ++l) factors[l] /= weight(l);
+  std::vector<double> factors(zonal.size());
+  factors_from_zonal(zonal, factors);
   return factors;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "zonal/sh/eval.h"
+#include "zonal/sh/per_band.h"
 #include "zonal/sh/sh.h"
 
 namespace zonal {
@@ -18,6 +19,8 @@ namespace zonal {
 std::vector<double> zonal_from_factors(std::span<const double> factors);
 /// lambda_l = z_l sqrt(4pi/(2l+1)).
 std::vector<double> factors_from_zonal(std::span<const double> zonal);
+/// The same into `factors`, of the same size.
+void factors_from_zonal(std::span<const double> zonal, std::span<double> factors);
 
 /// The function with these zonal coefficients at cosine c of the angle to its axis.
 double evaluate_zonal(std::span<const double> zonal, double c);
@@ -34,12 +37,13 @@ constexpr Sh<T, N> convolve(Sh<T, N> sh, std::span<const double> factors) {
 }
 
 /// The function with these zonal coefficients turned from +Z to a unit direction; as many bands as there are
-/// coefficients. f_lm = sqrt(4pi/(2l+1)) z_l y_lm(toward) (Sloan 2008).
+/// coefficients. f_lm = sqrt(4pi/(2l+1)) z_l y_lm(toward) (Sloan 2008). No heap up to 6 static bands.
 template <int N = kDynamic>
 Sh<double, N> zonal_toward(std::span<const double> zonal, Vec3 toward) {
   Sh<double, N> sh(static_cast<int>(zonal.size()));
   basis(sh.bands(), toward, sh.values());
-  const std::vector<double> factors = factors_from_zonal(zonal);
+  PerBand<double, N> factors = per_band<double, N>(sh.bands());
+  factors_from_zonal(zonal, factors);
   return convolve(std::move(sh), factors);
 }
 
