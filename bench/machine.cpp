@@ -92,10 +92,17 @@ double bytes_written_per_ns(Isa isa, std::span<float> memory) {
   if (isa == Isa::kAvx2) fill_with = fill_avx2;
   if (isa == Isa::kAvx512) fill_with = fill_avx512;
 #endif
-  const int rounds = static_cast<int>(std::clamp<std::size_t>((std::size_t{1} << 26) / memory.size(), 20, 1000));
-  double best = shortest_ns(rounds, [&] { fill_with(memory); });
+  const std::size_t passes = std::max<std::size_t>(1, (std::size_t{1} << 18) / memory.size());
+  const auto write = [&](void (*with)(std::span<float>)) {
+    return shortest_ns(passes > 1 ? 400 : 20,
+                       [&] {
+                         for (std::size_t i = 0; i < passes; ++i) with(memory);
+                       }) /
+           static_cast<double>(passes);
+  };
+  double best = write(fill_with);
 #if defined(__x86_64__)
-  best = std::min(best, shortest_ns(rounds, [&] { fill_past_caches(memory); }));
+  best = std::min(best, write(fill_past_caches));
 #endif
   return static_cast<double>(memory.size_bytes()) / best;
 }

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
+#include "apps/zonal/choices.h"
 #include "apps/zonal/input_options.h"
 #include "apps/zonal/run_options.h"
 #include "apps/zonal/verbs.h"
@@ -23,6 +25,7 @@ struct ViewOptions {
   std::string technique, mesh, settings;
   std::filesystem::path screenshot, html;
   std::string size = "1280x720";
+  MeshLoadOptions mesh_loading;
   bool list = false;
 };
 
@@ -33,6 +36,13 @@ Environment panorama_of(const ViewOptions& options, Call& call) {
   }
   Input input = read_input(options.input, call);
   return whole_light(input, options.input, call).environment;
+}
+
+std::optional<MeshUp> mesh_up_named(std::string_view name) {
+  if (name == "format") return MeshUp::kFormat;
+  if (name == "y") return MeshUp::kY;
+  if (name == "z") return MeshUp::kZ;
+  return std::nullopt;
 }
 
 ViewState state_of(const ViewOptions& options) {
@@ -64,8 +74,13 @@ void list_techniques(Call& call) {
 
 void write_page(const ViewData& data, const ViewState& state, const ViewOptions& options, Call& call) {
   const std::string name = options.input.paths.empty() ? "A clear day" : options.input.paths[0].filename().string();
-  const std::string html =
-      view_page_html(data, {.title = name, .subtitle = "lit by all techniques, beside the exact answer", .state = state});
+  ViewPageOptions page = {
+      .title = name, .subtitle = "lit by all techniques, beside the exact answer", .state = state, .meshes = {}};
+  if (std::ranges::find(mesh_shape_names(), state.mesh) == mesh_shape_names().end()) {
+    page.state.mesh = "file";  // a path may have characters that an address cannot
+    page.meshes.emplace_back(page.state.mesh, load_mesh(state.mesh, options.mesh_loading, call.run).mesh);
+  }
+  const std::string html = view_page_html(data, page);
   write_file(options.html, html);
   call.console.wrote(options.html, html.size(), "a page to look at");
 }
@@ -77,7 +92,7 @@ void open_window(const ViewOptions& options, const ViewState& state, Call& call)
     background.run = run;
     return panorama_of(options, background);
   };
-  open_view_window(state, name, light, {}, call);
+  open_view_window(state, name, light, options.mesh_loading, call);
 }
 
 void run_view(const ViewOptions& options, Call& call) {
@@ -90,7 +105,7 @@ void run_view(const ViewOptions& options, Call& call) {
   if (page) write_page(data, state, options, call);
   if (page && options.screenshot.empty()) return;
   if (!state.controls.contains("exposure_ev")) state.set("exposure_ev", std::round(4 * data.exposure_ev) / 4);
-  write_screenshot(data, state, options.screenshot, options.size, call);
+  write_screenshot(data, state, options.screenshot, options.size, options.mesh_loading, call);
 }
 
 }  // namespace
@@ -103,6 +118,9 @@ void add_view(CLI::App& app, Call& call) {
   constexpr const char* kGroup = "View";
   verb.add_option("--technique", options->technique, "what to show: see --list")->group(kGroup);
   verb.add_option("--mesh", options->mesh, "sphere, torus-knot, bumpy, or a file: OBJ, PLY, glTF")->group(kGroup);
+  add_choice(verb, "--mesh-up", options->mesh_loading.up, mesh_up_named, "format, y or z",
+             "the axis of a mesh file that points up; format: Y in OBJ and glTF, Z in PLY")
+      ->group(kGroup);
   verb.add_option("--set", options->settings, "settings, as a page keeps them in its address: \"roughness=0.4&yaw=30\"")
       ->group(kGroup);
   verb.add_option("--screenshot", options->screenshot, "draws one picture, without a display")->group(kGroup);

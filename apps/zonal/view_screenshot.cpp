@@ -9,7 +9,6 @@
 #include "zonal/gl/target.h"
 #include "zonal/io/file.h"
 #include "zonal/io/png.h"
-#include "zonal/view/mesh_file.h"
 #endif
 
 namespace zonal {
@@ -30,17 +29,18 @@ ImageSize size_in(const std::string& text) {
 Image<Rgb8> as_bytes(const Image<Rgb>& display) {
   Image<Rgb8> picture(display.width(), display.height());
   const auto byte = [](float x) { return static_cast<std::uint8_t>(std::clamp(x, 0.0f, 1.0f) * 255 + 0.5f); };
-  std::transform(display.values().begin(), display.values().end(), picture.values().begin(),
-                 [&](const Rgb& c) { return Rgb8{byte(c.r), byte(c.g), byte(c.b)}; });
+  std::transform(display.values().begin(), display.values().end(), picture.values().begin(), [&](const Rgb& c) {
+    return Rgb8{byte(c.r), byte(c.g), byte(c.b)};
+  });
   return picture;
 }
 
 }  // namespace
 
 void write_screenshot(const ViewData& data, const ViewState& state, const std::filesystem::path& path,
-                      const std::string& size_text, Call& call) {
+                      const std::string& size_text, const MeshLoadOptions& mesh, Call& call) {
   const ImageSize size = size_in(size_text);
-  const LoadedMesh object = mesh_of(state.mesh, {}, call.run);
+  const LoadedMesh object = mesh_of(state.mesh, mesh, call.run);
   for (const std::string& note : object.notes) call.console.note(note);
   const OffscreenContext context;
   Scene scene;
@@ -53,12 +53,14 @@ void write_screenshot(const ViewData& data, const ViewState& state, const std::f
   const Difference difference = scene.difference(state);
   write_file(path, png);
   call.console.wrote(path, png.size(), state.technique->title);
-  call.console.answer(fmt::format("difference to the exact answer: {:.2g} of it (RMS over the object)", difference.rms));
+  call.console.answer(
+      fmt::format("difference to the exact answer: {:.2g} of it (RMS over the object)", difference.rms));
   call.console.field("technique", std::string(state.technique->id));
   call.console.field("difference_rms", difference.rms);
 }
 #else
-void write_screenshot(const ViewData&, const ViewState&, const std::filesystem::path&, const std::string&, Call&) {
+void write_screenshot(const ViewData&, const ViewState&, const std::filesystem::path&, const std::string&,
+                      const MeshLoadOptions&, Call&) {
   throw Error(ErrorKind::kUsage, "this build has no viewer",
               "install libepoxy-dev and libegl-dev and build again, or write a page: zonal view --html FILE");
 }

@@ -10,7 +10,7 @@ using CliOptions = Cli;
 const std::vector<std::string> kVerbs = {"bake",   "info",  "convert", "irradiance", "prefilter",
                                          "sh",     "light", "lights",  "multiply",   "ambient-cube",
                                          "shader", "dfg",   "sky",     "testcard",   "compare",
-                                         "split",  "merge", "gallery", "view"};
+                                         "split",  "merge", "gallery",    "fisheye", "view"};
 
 TEST_F(CliOptions, HelpNamesEveryVerbAndEveryVerbHasExamples) {
   const std::string all = good({"--help"}).out;
@@ -26,7 +26,7 @@ TEST_F(CliOptions, HelpNamesEveryVerbAndEveryVerbHasExamples) {
     EXPECT_NE(help.find("--json"), std::string::npos) << verb;
     ++helped;
   }
-  EXPECT_EQ(helped, 19);
+  EXPECT_EQ(helped, 20);
 }
 
 TEST_F(CliOptions, Version) { EXPECT_EQ(good({"--version"}).out.substr(0, 6), "zonal "); }

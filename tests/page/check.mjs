@@ -5,7 +5,8 @@ import {pathToFileURL} from 'node:url';
 const [executablePath, page_path] = process.argv.slice(2);
 const browser = await chromium.launch({
   executablePath,
-  args: ['--no-sandbox', '--disable-gpu', '--disable-background-networking', '--disable-component-update',
+  // The page's viewer draws with WebGL, here on the processor.
+  args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-background-networking', '--disable-component-update',
          '--disable-sync', '--no-first-run'],
 });
 const failures = [];

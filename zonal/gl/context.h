@@ -2,8 +2,8 @@
 
 namespace zonal {
 
-/// An OpenGL 4.1 core context without a window, through EGL's surfaceless platform: it needs no display and no GPU (Mesa
-/// draws on the processor). Current on the thread that made it, for as long as it lives.
+/// An OpenGL 4.1 core context without a window, through EGL's surfaceless platform: it needs no display and no GPU
+/// (Mesa draws on the processor). Current on the thread that made it, for as long as it lives.
 class OffscreenContext {
  public:
   /// Throws Error{kUsage} where the machine has no such thing, with what to install.

@@ -60,6 +60,8 @@ GpuProgram::~GpuProgram() {
 
 void GpuProgram::use() const { glUseProgram(id_); }
 
+bool GpuProgram::has(const char* name) const { return glGetUniformLocation(id_, name) >= 0; }
+
 void GpuProgram::set(const char* name, int value) const { glUniform1i(glGetUniformLocation(id_, name), value); }
 void GpuProgram::set(const char* name, float value) const { glUniform1f(glGetUniformLocation(id_, name), value); }
 

@@ -22,6 +22,8 @@ class GpuProgram {
   }
 
   void use() const;
+  /// Whether the shaders use a uniform of this name.
+  bool has(const char* name) const;
   // Of the program in use.
   void set(const char* name, int value) const;
   void set(const char* name, float value) const;

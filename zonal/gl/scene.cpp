@@ -59,21 +59,24 @@ void Scene::set_mesh(const Mesh& mesh) {
   index_count_ = static_cast<int>(mesh.indices.size());
 }
 
-const GpuProgram& Scene::program_of(const Technique& technique) {
-  auto found = programs_.find(technique.id);
+const GpuProgram& Scene::program_of(const Technique& technique, bool alone) {
+  const auto key = std::pair(technique.id, alone);
+  auto found = programs_.find(key);
   if (found == programs_.end()) {
     GpuProgram program(mesh_vertex_shader(ShaderHome::kDesktop),
-                          technique_fragment_shader(ShaderHome::kDesktop, technique), technique.title);
-    found = programs_.emplace(technique.id, std::move(program)).first;
+                       alone ? lone_technique_fragment_shader(ShaderHome::kDesktop, technique)
+                             : technique_fragment_shader(ShaderHome::kDesktop, technique),
+                       technique.title);
+    found = programs_.emplace(key, std::move(program)).first;
   }
   return found->second;
 }
 
-void Scene::set_shared(const GpuProgram& program, const ViewState& state, int width, int height,
-                       int measure) const {
+void Scene::set_shared(const GpuProgram& program, const ViewState& state, int width, int height, int measure) const {
   program.use();
   int unit = 0;
   for (const auto& [name, texture] : textures_) {
+    if (!program.has(name.c_str())) continue;  // a shader has no more units than it can use
     texture.bind(unit);
     program.set(name.c_str(), unit++);
   }
@@ -102,10 +105,14 @@ void Scene::set_shared(const GpuProgram& program, const ViewState& state, int wi
   program.set_matrix("light_from_world", light_from_world);
   program.set("split_px", 0.5f * static_cast<float>(width));
   program.set("measure", measure);
+  program.set("time_s", f(state.time_s));
+  program.set("marked_lights", marked_lights(state));
 }
 
 void Scene::draw_mesh(const ViewState& state, int width, int height, int measure) {
-  set_shared(program_of(*state.technique), state, width, height, measure);
+  const bool alone =
+      measure == kColors ? state.value("compare") == 0 : measure == static_cast<int>(Measured::kTechnique);
+  set_shared(program_of(*state.technique, alone), state, width, height, measure);
   glBindVertexArray(mesh_array_);
   glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
 }

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "zonal/gl/program.h"
@@ -16,7 +17,7 @@ namespace zonal {
 
 /// How far a technique is from its exact answer, over the pixels of the object.
 struct Difference {
-  double rms = 0;         ///< of the difference over that of the exact answer; 0 where that is black
+  double rms = 0;  ///< of the difference over that of the exact answer; 0 where that is black
   std::int64_t pixels = 0;
 };
 
@@ -42,14 +43,15 @@ class Scene {
   Image<Rgb> values(const ViewState&, Measured, int width, int height);
 
  private:
-  const GpuProgram& program_of(const Technique&);
+  const GpuProgram& program_of(const Technique&, bool alone);
   void set_shared(const GpuProgram&, const ViewState&, int width, int height, int measure) const;
   void draw_mesh(const ViewState&, int width, int height, int measure);
   void draw_background(const ViewState&, int width, int height, int measure);
 
   std::map<std::string, GpuTexture, std::less<>> textures_;
   std::vector<ViewUniform> uniforms_;
-  std::map<std::string_view, GpuProgram> programs_;
+  std::map<std::pair<std::string_view, bool>, GpuProgram>
+      programs_;  // of the technique alone, and with the exact answer
   std::optional<GpuProgram> background_;
   std::uint32_t mesh_array_ = 0, empty_array_ = 0, vertices_ = 0, indices_ = 0;
   int index_count_ = 0;

@@ -5,10 +5,12 @@
 #include <cmath>
 
 #include "zonal/base/check.h"
+#include "zonal/gl/reference_lookups_test.h"
 #include "zonal/light/ambient_reflectance.h"
 #include "zonal/light/brdf.h"
 #include "zonal/light/dfg.h"
 #include "zonal/light/extract.h"
+#include "zonal/light/model.h"
 #include "zonal/light/project.h"
 #include "zonal/light/reference.h"
 #include "zonal/light/resample.h"
@@ -19,109 +21,25 @@
 #include "zonal/sh/vector_irradiance.h"
 #include "zonal/sh/window.h"
 #include "zonal/sphere/mapping.h"
+#include "zonal/view/homework_lights.h"
+#include "zonal/view/reflection_space.h"
 #include "zonal/view/view_pictures.h"
 #include "zonal/view/view_uniforms.h"
 
 namespace zonal {
 namespace {
 
-Vec3 mirrored(const SurfacePoint& p) { return 2 * dot(p.normal, p.toward_eye) * p.normal - p.toward_eye; }
-
-/// The light turned, as the library turns pictures: what it has at d is what the panorama has at the result.
-std::function<Vec3(Vec3)> into_light(const ViewState& state) {
-  const Rotation light_from_world = Rotation::about_z(-radians(state.value("light_yaw_deg")));
-  return [light_from_world](Vec3 d) { return light_from_world * d; };
-}
-
-/// Between the four texels around the place of a direction, across the edges of faces and discs. Where the library's
-/// own Sampler finds better weights (at poles and rims) hardware does not.
-std::function<RgbD(Vec3)> lookup(Environment environment) {
-  const Mapping mapping(environment.projection, {environment.radiance.width(), environment.radiance.height()});
-  return [picture = std::move(environment.radiance), mapping](Vec3 d) {
-    const PixelPoint p = *mapping.position(d);
-    const int chart = mapping.chart(p), x0 = static_cast<int>(std::floor(p.x - 0.5)),
-              y0 = static_cast<int>(std::floor(p.y - 0.5));
-    const double x = p.x - 0.5 - x0, y = p.y - 0.5 - y0;
-    RgbD sum;
-    for (int j = 0; j < 2; ++j) {
-      for (int i = 0; i < 2; ++i) {
-        const auto texel = mapping.wrap(chart, x0 + i, y0 + j);
-        sum += ((i == 1 ? x : 1 - x) * (j == 1 ? y : 1 - y)) * RgbD(picture(texel.x, texel.y));
-      }
-    }
-    return sum;
-  };
-}
-
-/// Between the four nearest texels of a flat picture; (0, 0) is its top left corner, (1, 1) the opposite one.
-RgbD bilinear(const Image<Rgb>& image, double u, double v, bool repeats_x, bool repeats_y) {
-  const auto place = [](int i, int size, bool repeats) {
-    return repeats ? ((i % size) + size) % size : std::clamp(i, 0, size - 1);
-  };
-  const double x = u * image.width() - 0.5, y = v * image.height() - 0.5;
-  const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
-  RgbD sum;
-  for (int j = 0; j < 2; ++j) {
-    for (int i = 0; i < 2; ++i) {
-      const double weight = (i == 1 ? x - x0 : 1 - (x - x0)) * (j == 1 ? y - y0 : 1 - (y - y0));
-      sum += weight * RgbD(image(place(x0 + i, image.width(), repeats_x), place(y0 + j, image.height(), repeats_y)));
-    }
-  }
-  return sum;
-}
-
-/// Where a panorama shows a direction, both 0..1.
-std::array<double, 2> on_panorama(Vec3 d) {
-  const Mapping mapping({Layout::kEquirect}, {2, 1});
-  const PixelPoint p = *mapping.position(d);
-  return {p.x / 2, p.y};
-}
-
-/// The sums over a small panorama: its texels as directions with solid angles.
-struct LitTexel {
-  Vec3 toward;
-  double solid_angle;
-  RgbD radiance;
-};
-std::vector<LitTexel> texels_of(const Environment& environment) {
-  const Image<Rgb>& image = environment.radiance;
-  const Mapping mapping(environment.projection, {image.width(), image.height()});
-  std::vector<LitTexel> texels;
-  for (int y = 0; y < image.height(); ++y) {
-    for (int x = 0; x < image.width(); ++x) {
-      texels.push_back({*mapping.texel_direction(x, y), mapping.solid_angle(x, y), RgbD(image(x, y))});
-    }
-  }
-  return texels;
-}
-
 /// The bump picture's normal in the frame of the surface's texture coordinates: u along the equator, v to the south.
 Vec3 bent_normal_of_ball(const SurfacePoint& p, double depth) {
-  static const Image<Rgb> picture = bump_normals(128);
+  static const Image<Rgb> picture = bump_picture(kBumpPx);
   const RgbD texel = bilinear(picture, 4 * p.u, 4 * p.v, true, true);
-  const Vec3 bump = {depth * (2 * texel.r - 1), depth * (2 * texel.g - 1), 2 * texel.b - 1};
+  const double x = 2 * texel.r - 1, y = 2 * texel.g - 1;
+  const Vec3 bump = {depth * x, depth * y, std::sqrt(1 - x * x - y * y)};
   const double sine = std::hypot(p.normal.x, p.normal.y);
   const Vec3 east = normalize(cross({0, 0, 1}, p.normal)), south = cross(east, p.normal);
   // The gradients of u and v are as 1/(2 sin theta) to 1; the longer one counts as a unit.
   const double longest = std::max(1 / (2 * sine), 1.0);
   return normalize(bump.x / (2 * sine * longest) * east + bump.y / longest * south + bump.z * p.normal);
-}
-
-PointLight of_normal(const ViewState& state, std::function<RgbD(Vec3)> light, double scale) {
-  return [in_light = into_light(state), light = std::move(light), scale](const SurfacePoint& p) {
-    return scale * light(in_light(p.normal));
-  };
-}
-
-PointLight of_mirrored(const ViewState& state, std::function<RgbD(Vec3)> light) {
-  return [in_light = into_light(state), light = std::move(light)](const SurfacePoint& p) {
-    return light(in_light(mirrored(p)));
-  };
-}
-
-/// The mean through a lobe, summed over all texels of the panorama.
-std::function<RgbD(Vec3)> through(const Environment& panorama, const Lobe& lobe) {
-  return [&panorama, lobe](Vec3 d) { return convolve_at(panorama, lobe, std::array{d})[0]; };
 }
 
 PointLight lambert(const Sh<RgbD>& radiance, const ViewState& state) {
@@ -146,8 +64,91 @@ PointLight sphere_map(const Environment& panorama, const ViewState& state) {
   const auto row = [axes](std::size_t i) { return Vec3{axes[i], axes[3 + i], axes[6 + i]}; };
   return [=](const SurfacePoint& p) {
     const Vec3 n = {dot(row(0), p.normal), dot(row(1), p.normal), dot(row(2), p.normal)};
-    const Vec3 r = 2 * n.z * n - Vec3{0, 0, 1};    // right, up, toward the camera, which looks along +X of the map
+    const Vec3 r = 2 * n.z * n - Vec3{0, 0, 1};  // right, up, toward the camera, which looks along +X of the map
     return map({-r.z, -r.x, r.y});
+  };
+}
+
+/// A lamp of the sliders' size in the direction of the brightest light; as one point in its middle, or all of it.
+PointLight lamp(const Sh<RgbD>& radiance, const ViewState& state, bool exact) {
+  const ExtractedLight light = extract_lights(radiance, {.lights = 1, .refine = true}).lights.at(0);
+  const double distance = state.value("lamp_distance"), radius = state.value("lamp_radius");
+  const bool ball = state.value("lamp_shape") == 0;
+  const RgbD glow = distance * distance / (kPi * radius * radius) * light.irradiance;
+  const Vec3 center = distance * light.direction;
+  const Vec3 side =
+      normalize(cross(std::abs(light.direction.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}, light.direction));
+  const Vec3 up = cross(light.direction, side);
+  return [=, albedo = state.value("albedo"), in_light = into_light(state)](const SurfacePoint& p) {
+    const Vec3 position = in_light(p.position), n = in_light(p.normal), to = center - position;
+    const double away = length(to), cosine = std::max(0.0, dot(n, to) / away), area = kPi * radius * radius;
+    double e = 0;
+    if (!exact) {
+      e = area / (away * away) * cosine * (ball ? 1 : std::max(0.0, dot(light.direction, to) / away));
+    } else if (ball) {
+      e = cone_irradiance(std::asin(radius / away), angle_between(n, normalize(to)));
+    } else {  // small squares of the square, whatever of them is above the horizon
+      constexpr int kParts = 150;
+      const double half_width = 0.5 * std::sqrt(area);
+      for (int i = 0; i < kParts; ++i) {
+        for (int j = 0; j < kParts; ++j) {
+          const double a = half_width * ((2 * i + 1.0) / kParts - 1), b = half_width * ((2 * j + 1.0) / kParts - 1);
+          const Vec3 part = to + a * side + b * up;
+          const double square = dot(part, part);
+          e += std::max(0.0, dot(n, part)) * dot(light.direction, part) / (square * square) * area / (kParts * kParts);
+        }
+      }
+    }
+    return albedo / kPi * e * glow;
+  };
+}
+
+/// A surface's GGX lobe over the texels of a small panorama, in double; and the same over a white one.
+struct Glossy {
+  RgbD lit, white;
+};
+Glossy glossy(const std::vector<LitTexel>& texels, const Brdf& brdf, Vec3 n, Vec3 v) {
+  // The BRDF knows a surface whose normal is +Z, seen from the half plane y = 0.
+  const double cosine = dot(n, v);
+  const Vec3 x = normalize(v - cosine * n), y = cross(n, x), viewer = {dot(v, x), 0, cosine};
+  Glossy sum;
+  for (const LitTexel& texel : texels) {
+    const Vec3 l = {dot(texel.toward, x), dot(texel.toward, y), dot(texel.toward, n)};
+    if (l.z <= 0 || cosine <= 0) continue;
+    const RgbD weight = l.z * texel.solid_angle * brdf(l, viewer);
+    sum.white += weight;
+    sum.lit += weight * texel.radiance;
+  }
+  return sum;
+}
+
+/// The four maps around the eye's place in the square of eyes, each summed anew for this mirrored direction.
+PointLight reflection_space(const Environment& panorama, const ViewState& state) {
+  const ReflectionSpaceOptions options;
+  const std::vector<LitTexel> texels = texels_of(resample(panorama, {Layout::kEquirect}, options.environment_rows));
+  const double alpha = alpha_from_roughness(options.roughness), f0 = state.value("f0");
+  const bool nearest = state.value("reflection_by") == 1;
+  return [=, brdf = ggx_brdf(alpha), square = Mapping({Layout::kOctahedral}, {1, 1}),
+          in_light = into_light(state)](const SurfacePoint& p) {
+    const int last = options.views - 1;
+    const PixelPoint place = *square.position(in_light(p.toward_eye));
+    const Vec3 r = in_light(mirrored(p));
+    const double x = last * place.x, y = last * place.y;
+    const int x0 = std::min(static_cast<int>(x), last - 1), y0 = std::min(static_cast<int>(y), last - 1);
+    RgbD mean;
+    for (int j = 0; j < 2; ++j) {
+      for (int i = 0; i < 2; ++i) {
+        double weight = (i == 1 ? x - x0 : 1 - (x - x0)) * (j == 1 ? y - y0 : 1 - (y - y0));
+        if (nearest) weight = std::lround(x) == x0 + i && std::lround(y) == y0 + j ? 1 : 0;
+        if (weight == 0) continue;
+        const Vec3 v = *square.direction({(x0 + i) / (1.0 * last), (y0 + j) / (1.0 * last)});
+        const Glossy sum = glossy(texels, brdf, normalize(v + r), v);
+        mean += weight / sum.white.g * sum.lit;
+      }
+    }
+    const double cosine = std::clamp(dot(p.normal, p.toward_eye), 1e-3, 1.0);
+    const SplitSum split = ggx_split_sum(cosine, alpha);
+    return (f0 * split.scale + split.bias) * mean;
   };
 }
 
@@ -197,14 +198,32 @@ PointLight technique_reference(const Environment& panorama, const ViewState& sta
     return of_mirrored(state, lookup(resample(panorama, {Layout::kDualParaboloid}, 2 * sizes.cube_px)));
   }
   if (id == "bump") {
-    return [mirror = of_mirrored(state, lookup(panorama)), depth = state.value("bump_depth")](SurfacePoint p) {
+    const int map = static_cast<int>(state.value("bump_lookup"));
+    const PointLight mirror =
+        map == 0   ? of_mirrored(state, lookup(panorama))
+        : map == 1 ? of_mirrored(state, lookup(resample(panorama, {Layout::kCubeStack}, sizes.cube_px)))
+        : map == 2 ? of_mirrored(state, lookup(resample(panorama, {Layout::kDualParaboloid}, 2 * sizes.cube_px)))
+                   : of_mirrored(state, lookup(resample(panorama, {Layout::kSphereMap}, 2 * sizes.cube_px)));
+    return [mirror, depth = state.value("bump_depth")](SurfacePoint p) {
       p.normal = bent_normal_of_ball(p, depth);
       return mirror(p);
     };
   }
+  if (id == "near-lamp") return lamp(radiance, state, false);
+  if (id == "reflection-space") return reflection_space(panorama, state);
+  if (id == "homework") {
+    const auto light = homework_lights()[static_cast<std::size_t>(state.value("light_set")) - 1];
+    double sum = 0;
+    for (const HomeworkLight& one : homework_lights()) sum += luminance(RgbD(homework_radiance(one)(0, 0)));
+    const double scale = luminance(radiance(0, 0)) / (sum / 10);
+    return of_normal(
+        state, [e = irradiance(homework_radiance(light)), scale](Vec3 n) { return scale * evaluate(e, n); },
+        albedo / kPi);
+  }
   if (id == "highlight-map") {
     const auto axes = camera_matrices(state.camera, 1).eye_from_world;
-    const Image<Rgb> picture = highlight_picture(64, mean_radiance(radiance));
+    const Image<Rgb> picture = state.value("highlight_source") == 0 ? highlight_picture(64, mean_radiance(radiance))
+                                                                    : drawn_highlight(64, mean_radiance(radiance));
     const PointLight base = of_normal(state, through(panorama, Lobe::cosine()), albedo);
     return [=, strength = state.value("highlight_strength")](const SurfacePoint& p) {
       const double x = axes[0] * p.normal.x + axes[3] * p.normal.y + axes[6] * p.normal.z;
@@ -232,6 +251,10 @@ PointLight technique_reference(const Environment& panorama, const ViewState& sta
   }
   if (id == "irradiance-map") return of_normal(state, through(panorama, Lobe::cosine()), albedo);
   if (id == "vector-irradiance") {
+    if (state.value("vector_back") == 1) {
+      return of_normal(
+          state, [two = with_bands<2>(matte)](Vec3 n) { return evaluate(two, n); }, albedo);
+    }
     const auto vectors = vector_irradiance(radiance);
     return of_normal(
         state,
@@ -243,7 +266,8 @@ PointLight technique_reference(const Environment& panorama, const ViewState& sta
   }
   if (id == "sh-bands") return harmonics(radiance, state);
   if (id == "sh-polynomial" || id == "sh-constants") {
-    return of_normal(state, [three = with_bands<3>(matte)](Vec3 n) { return evaluate(three, n); }, albedo);
+    return of_normal(
+        state, [three = with_bands<3>(matte)](Vec3 n) { return evaluate(three, n); }, albedo);
   }
   if (id == "extracted-lights") {
     const int count = static_cast<int>(state.value("light_count"));
@@ -252,46 +276,53 @@ PointLight technique_reference(const Environment& panorama, const ViewState& sta
         state,
         [found](Vec3 n) {
           RgbD e = kPi * found.ambient;
-          for (const ExtractedLight& light : found.lights) e += std::max(0.0, dot(n, light.direction)) * light.irradiance;
+          for (const ExtractedLight& light : found.lights)
+            e += std::max(0.0, dot(n, light.direction)) * light.irradiance;
           return e;
         },
         albedo / kPi);
   }
   if (id == "ambient-cube") {
-    return of_normal(state, [cube = ambient_cube(matte)](Vec3 n) { return evaluate(cube, n); }, albedo);
+    return of_normal(
+        state, [cube = ambient_cube(matte)](Vec3 n) { return evaluate(cube, n); }, albedo);
   }
   check(false, "every technique has a reference");
   return {};
 }
 
 PointLight exact_reference(const Environment& panorama, const ViewState& state) {
-  const Environment small = resample(panorama, {Layout::kEquirect}, small_view_data().reference_rows);
   switch (state.technique->exact) {
     case Exact::kDiffuse:
       return of_normal(state, through(panorama, Lobe::cosine()), state.value("albedo"));
     case Exact::kMirror:
       return of_mirrored(state, lookup(panorama));
-    case Exact::kPhong:
+    case Exact::kBentMirror: {
+      ViewState normals = state;
+      normals.set("bump_source", 0);
+      normals.set("bump_lookup", 0);
+      return technique_reference(panorama, normals);
+    }
+    case Exact::kLamp:
+      return lamp(project(panorama, 6), state, true);
+    case Exact::kNine:
+      return technique_reference(panorama, state);
+    case Exact::kPhong: {
+      const Environment small = resample(panorama, {Layout::kEquirect}, small_view_data().reference_rows);
       return of_mirrored(state, [small, shininess = state.value("shininess")](Vec3 d) {
         return convolve_at(small, Lobe::phong(shininess), std::array{d})[0];
       });
+    }
     case Exact::kGlossy:
+    case Exact::kGlossyFixed:
       break;
   }
-  const double f0 = state.value("f0");
-  const Brdf brdf = ggx_brdf(alpha_from_roughness(state.value("roughness")), {f0, f0, f0});
-  return [=, texels = texels_of(small), in_light = into_light(state)](const SurfacePoint& p) {
-    // The BRDF knows a surface whose normal is +Z, seen from the half plane y = 0.
-    const Vec3 n = in_light(p.normal), v = in_light(p.toward_eye);
-    const double cosine = dot(n, v);
-    const Vec3 x = normalize(v - cosine * n), y = cross(n, x);
-    const Vec3 viewer = {dot(v, x), 0, cosine};
-    RgbD sum;
-    for (const LitTexel& texel : texels) {
-      const Vec3 l = {dot(texel.toward, x), dot(texel.toward, y), dot(texel.toward, n)};
-      if (l.z > 0 && cosine > 0) sum += l.z * texel.solid_angle * (brdf(l, viewer) * texel.radiance);
-    }
-    return sum;
+  const bool fixed = state.technique->exact == Exact::kGlossyFixed;
+  const double f0 = state.value("f0"),
+               roughness = fixed ? ReflectionSpaceOptions().roughness : state.value("roughness");
+  const Brdf brdf = ggx_brdf(alpha_from_roughness(roughness), {f0, f0, f0});
+  const auto texels = texels_of(resample(panorama, {Layout::kEquirect}, small_view_data().reference_rows));
+  return [=, in_light = into_light(state)](const SurfacePoint& p) {
+    return glossy(texels, brdf, in_light(p.normal), in_light(p.toward_eye)).lit;
   };
 }
 

@@ -43,8 +43,11 @@ std::string bake_page_html(const BakePage& page, const Run& run) {
                   .subtitle = page.subtitle,
                   .lead_html = readout(page),
                   .sections = {},
-                  .footer = page.footer};
+                  .footer = page.footer,
+                  .style = page.viewer.style,
+                  .has_scripts = !page.viewer.html.empty()};
   out.sections.push_back({"panorama", "Panorama", panorama_section(page, pictures)});
+  if (!page.viewer.html.empty()) out.sections.push_back({"live", "Objects in this light", page.viewer.html});
   out.sections.push_back({"irradiance", "Irradiance", irradiance_section(page, pictures)});
   if (!page.chain.empty()) out.sections.push_back({"chain", "Prefiltered chain", chain_section(page, pictures)});
   if (!page.sh.empty()) out.sections.push_back({"sh", "Spherical harmonics", sh_section(page, pictures)});

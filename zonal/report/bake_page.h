@@ -9,6 +9,7 @@
 #include "zonal/light/convolve.h"
 #include "zonal/light/environment.h"
 #include "zonal/light/survey.h"
+#include "zonal/report/bake_page_viewer.h"
 #include "zonal/report/html.h"
 
 namespace zonal {
@@ -78,10 +79,13 @@ struct BakePage {
   std::vector<Timing> timings;
   std::vector<Snippet> loading;
   std::string footer;  ///< program and version
+
+  BakePageViewer viewer;  ///< empty: the page has no viewer and no script
 };
 
-/// The self-contained page: at most about 3 MB, whatever the sizes of the maps. The same values give the same bytes on
-/// any number of threads. Throws Error{kInput} when a map's size does not fit its projection, Error{kCancelled}.
+/// The self-contained page: at most about 3 MB beside its viewer, whatever the sizes of the maps. The same values give
+/// the same bytes on any number of threads. Throws Error{kInput} when a map's size does not fit its projection,
+/// Error{kCancelled}.
 std::string bake_page_html(const BakePage&, const Run& = {});
 
 }  // namespace zonal

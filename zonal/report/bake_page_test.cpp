@@ -206,6 +206,20 @@ TEST(BakePage, WarnsOrSaysThatThereIsNothing) {
   EXPECT_EQ(count(check.text, "clipped"), 1u);
 }
 
+TEST(BakePage, HasAViewerWhereOneIsGiven) {
+  BakePage page = full_page();
+  page.viewer = bake_page_viewer(page.panorama);
+  const std::string html = bake_page_html(page);
+  const HtmlCheck check = HtmlReader::read(html);
+  EXPECT_EQ(check.problems, std::vector<std::string>());
+  EXPECT_EQ(check.tags.at("script"), 2);  // data, program
+  EXPECT_TRUE(check.ids.contains("live"));
+  EXPECT_TRUE(check.ids.contains("zonal-view"));
+  EXPECT_EQ(count(html, "script-src 'unsafe-inline'"), 1u);
+  EXPECT_EQ(count(full_page_html(), "script-src"), 0u);
+  EXPECT_LT(page.viewer.html.size(), 1.8e6);  // of noise, which does not compress
+}
+
 TEST(BakePage, SaysWhenNothingWasMeasured) {
   EXPECT_EQ(count(full_page_html(), "Nothing was measured"), 0u);
   BakePage page = full_page();

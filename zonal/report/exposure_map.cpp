@@ -16,9 +16,9 @@ constexpr Rgb8 kPaper = {246, 245, 242}, kInk = {30, 30, 30};
 constexpr int kNarrowest = 200;  // so that a small picture's legend can be read
 
 Rgb8 color_of(std::uint8_t source, std::size_t exposures) {
-  if (source == kSaturated) return {255, 255, 255};
-  if (source == kBlack) return {0, 0, 0};
-  if (source == kConflict) return {255, 0, 255};
+  if (source == kOnlySaturated) return {255, 255, 255};
+  if (source == kOnlyBlack) return {0, 0, 0};
+  if (source == kInConflict) return {255, 0, 255};
   if (source == kNoData) return {128, 128, 128};
   // Inside the scale's ends, which black and saturated texels have.
   const double place = exposures > 1 ? static_cast<double>(source) / static_cast<double>(exposures - 1) : 0.5;
@@ -40,7 +40,7 @@ std::vector<Entry> entries_of(const Merge& merge, std::span<const std::string> n
   std::vector<Entry> entries;
   for (std::size_t k = 0; k < names.size(); ++k) entries.push_back(entry(static_cast<std::uint8_t>(k), names[k]));
   constexpr std::array<std::pair<std::uint8_t, const char*>, 4> kOthers = {
-      {{kSaturated, "SATURATED"}, {kBlack, "BLACK"}, {kConflict, "CONFLICT"}, {kNoData, "NO DATA"}}};
+      {{kOnlySaturated, "SATURATED"}, {kOnlyBlack, "BLACK"}, {kInConflict, "CONFLICT"}, {kNoData, "NO DATA"}}};
   for (const auto& [source, name] : kOthers) {
     if (counts[source] > 0) entries.push_back(entry(source, name));
   }

@@ -25,7 +25,7 @@ TEST(ExposureWords, AreThoseOfPhotographers) {
 
 TEST(ExposureMap, ColoursEverySourceAndNamesThemAll) {
   Merge merge{Image<Rgb>(40, 30), Image<std::uint8_t>(40, 30)};
-  const std::uint8_t sources[] = {0, 1, 2, kSaturated, kBlack, kConflict, kNoData};
+  const std::uint8_t sources[] = {0, 1, 2, kOnlySaturated, kOnlyBlack, kInConflict, kNoData};
   for (int y = 0; y < 30; ++y) {
     for (int x = 0; x < 40; ++x) merge.source(x, y) = sources[x / 6 % 7];
   }

@@ -44,10 +44,10 @@ std::string html_page(const HtmlPage& page) {
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
 <meta name="referrer" content="no-referrer">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'unsafe-inline'">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'unsafe-inline'{7}">
 <link rel="icon" href="data:,">
 <title>{0}</title>
-<style>{1}</style>
+<style>{1}{8}</style>
 </head>
 <body>
 <header>
@@ -64,7 +64,8 @@ std::string html_page(const HtmlPage& page) {
 </html>
 )",
                      escape(page.title), page_style(), escape(page.subtitle), contents, page.lead_html, body,
-                     page.footer.empty() ? "" : fmt::format("<footer>{}</footer>\n", escape(page.footer)));
+                     page.footer.empty() ? "" : fmt::format("<footer>{}</footer>\n", escape(page.footer)),
+                     page.has_scripts ? "; script-src 'unsafe-inline'" : "", page.style);
 }
 
 std::string html_table(const HtmlTable& table) {

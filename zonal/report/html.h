@@ -6,7 +6,7 @@
 
 namespace zonal {
 
-// The parts of a self-contained page: no network, no script, no font of its own. Arguments named html are markup and go
+// The parts of a self-contained page: no network, no font of its own, no script but what a section brings. Arguments named html are markup and go
 // in as they are; all other text is escaped here.
 
 struct HtmlSection {
@@ -21,6 +21,8 @@ struct HtmlPage {
   std::string lead_html = {};  ///< between the title and the first section
   std::vector<HtmlSection> sections;
   std::string footer = {};
+  std::string style = {};    ///< beside the page's own
+  bool has_scripts = false;  ///< a section holds script elements: the page lets them run
 };
 
 /// The whole document, with its style and a list of contents. Light or dark as the reader's system asks; readable from

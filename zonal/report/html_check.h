@@ -46,7 +46,10 @@ class HtmlReader {
       if (end == std::string_view::npos) return problem("a tag is not closed");
       tag(html.substr(1, end - 1));
       html.remove_prefix(end + 1);
-      if (!open_.empty() && open_.back() == "style") html.remove_prefix(std::min(html.find("</style>"), html.size()));
+      for (const std::string raw : {"style", "script"}) {  // their text is no markup
+        if (!open_.empty() && open_.back() == raw)
+          html.remove_prefix(std::min(html.find("</" + raw + ">"), html.size()));
+      }
     }
     for (const std::string& name : open_) problem("<" + name + "> stays open");
     for (const std::string& target : links_) {

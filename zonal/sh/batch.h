@@ -10,10 +10,11 @@
 namespace zonal {
 
 // The algebra for many functions or directions at once, as a volume of probes needs it: in float, for 1 to 6 bands, on
-// the widest SIMD the machine has, one item in each lane. No heap, no threads; give each thread its own items. An item
-// comes out with the same bits wherever in the batch it is, and whatever is beside it; another instruction set may
-// round otherwise. A colour is three functions. What is wrong with a call throws std::logic_error: a number of bands, a
-// span that is not of the layout's size. NaN or infinity in an item stays in that item.
+// the widest SIMD the machine has, one item in each lane. No heap (but 120 kB of stack) and no threads; give each
+// thread its own items. An item comes out with the same bits wherever in the batch it is, and whatever is beside it;
+// another instruction set may round otherwise. A colour is three functions. What is wrong with a call throws
+// std::logic_error: a number of bands, a span that is not of the layout's size. NaN or infinity in an item stays in
+// that item.
 
 /// Where the numbers of a batch are: a structure of arrays. Number i of item j is values[i * stride + j], j < count;
 /// what lies between count and stride is not touched. All batches of one call have the same layout.

@@ -125,6 +125,13 @@ constexpr long kLargeBytes = 32L << 20;
   const bool staged = past_caches || inputs_crowded || crowded(step.out_rows, out.stride);
   const long direct = staged ? 0 : count / kLanes * kLanes;
   step.run(step.work, a, b, out, direct / kLanes);
+  if (direct == count) return;
+  if (direct > 0 && out.first != a.first && out.first != b.first) {
+    // The last whole vector once more, shifted: what it has in common with the one before comes out the same.
+    const long last = count - kLanes;
+    step.run(step.work, {a.first + last, a.stride}, {b.first + last, b.stride}, {out.first + last, out.stride}, 1);
+    return;
+  }
   Tile tile_a, tile_b, tile_out;
   for (long j = direct; j < count; j += kTileItems) {
     const long items = count - j < kTileItems ? count - j : kTileItems;

@@ -132,14 +132,14 @@ inline double square_root(double value) { return __builtin_sqrt(value); }
 
 /// The angles of a rotation, and whether there is a mirror of y before it.
 template <class T>
-struct Turns {
+struct Decomposed {
   turns::Angles<T> angles;
   T r[3][3];
   bool mirrored;
 
-  [[gnu::always_inline]] explicit Turns(const double* rotation) {
+  [[gnu::always_inline]] explicit Decomposed(const double* entries) {
 #pragma GCC unroll 9
-    for (int i = 0; i < 9; ++i) r[i / 3][i % 3] = static_cast<T>(rotation[i]);
+    for (int i = 0; i < 9; ++i) r[i / 3][i % 3] = static_cast<T>(entries[i]);
     const T determinant = r[0][0] * (r[1][1] * r[2][2] - r[1][2] * r[2][1]) +
                           r[0][1] * (r[1][2] * r[2][0] - r[1][0] * r[2][2]) +
                           r[0][2] * (r[1][0] * r[2][1] - r[1][1] * r[2][0]);
@@ -159,19 +159,19 @@ struct Turns {
 };
 
 template <int N, class T>
-[[gnu::always_inline]] inline void rotate_by_lanes(const Turns<T>& turns, const T* from, T* to, long count) {
-  const auto& [cos_a, sin_a, cos_b, sin_b, cos_c, sin_c] = turns.angles;
+[[gnu::always_inline]] inline void rotate_by_lanes(const Decomposed<T>& rotation, const T* from, T* to, long count) {
+  const auto& [cos_a, sin_a, cos_b, sin_b, cos_c, sin_c] = rotation.angles;
   const Multiples<T> c(cos_c, sin_c), minus_b(cos_b, -sin_b), a(cos_a, sin_a);
   for (; count > 0; --count, from += N * N, to += N * N) {
     to[0] = from[0];
     const T x = from[3], y = from[1], z = from[2];
-    to[3] = turns.r[0][0] * x + turns.r[0][1] * y + turns.r[0][2] * z;
-    to[1] = turns.r[1][0] * x + turns.r[1][1] * y + turns.r[1][2] * z;
-    to[2] = turns.r[2][0] * x + turns.r[2][1] * y + turns.r[2][2] * z;
+    to[3] = rotation.r[0][0] * x + rotation.r[0][1] * y + rotation.r[0][2] * z;
+    to[1] = rotation.r[1][0] * x + rotation.r[1][1] * y + rotation.r[1][2] * z;
+    to[2] = rotation.r[2][0] * x + rotation.r[2][1] * y + rotation.r[2][2] * z;
 
     Bands<T, N> bands;
     for_each_place([&]<int kind, int i>() { bands.template load<kind, i>(from); });
-    if (turns.mirrored) bands.mirror_y();
+    if (rotation.mirrored) bands.mirror_y();
     bands.turn_about_z(c);
     bands.swap_yz();
     bands.turn_about_z(minus_b);
@@ -182,27 +182,27 @@ template <int N, class T>
 }
 
 template <int N, class T>
-[[gnu::always_inline]] inline void rotate_one_by_one(const Turns<T>& turns, const T* from, T* to, long count) {
+[[gnu::always_inline]] inline void rotate_one_by_one(const Decomposed<T>& rotation, const T* from, T* to, long count) {
   for (; count > 0; --count, from += N * N, to += N * N) {
     T sh[N * N];
     for (int l = 0; l < N; ++l) {
       for (int m = -l; m <= l; ++m) {
         const T value = from[coefficient_index(l, m)];
-        sh[coefficient_index(l, m)] = turns.mirrored && m < 0 ? -value : value;
+        sh[coefficient_index(l, m)] = rotation.mirrored && m < 0 ? -value : value;
       }
     }
-    turns::turn<N, T>(sh, turns.angles);
+    turns::turn<N, T>(sh, rotation.angles);
     for (int i = 0; i < N * N; ++i) to[i] = sh[i];
   }
 }
 
 template <int N, class T>
-void rotate(const double* rotation, const T* from, T* to, long count) {
-  const Turns<T> turns(rotation);
+void rotate(const double* entries, const T* from, T* to, long count) {
+  const Decomposed<T> rotation(entries);
   if constexpr (ZONAL_LANES < 4 && sizeof(T) == sizeof(double)) {  // there are no four lanes
-    rotate_one_by_one<N>(turns, from, to, count);
+    rotate_one_by_one<N>(rotation, from, to, count);
   } else {
-    rotate_by_lanes<N>(turns, from, to, count);
+    rotate_by_lanes<N>(rotation, from, to, count);
   }
 }
 

@@ -15,6 +15,19 @@ constexpr std::array<std::string_view, 3> kAmbient = {"off", "on", "reflectance 
 constexpr std::array<std::string_view, 2> kViewpoints = {"the eye's (as in the lecture)", "the mirrored direction"};
 constexpr std::array<std::string_view, 4> kWindows = {"none", "Hann", "Lanczos", "Laplacian"};
 
+constexpr std::array<std::string_view, 2> kBumps = {"a picture of normals", "a picture of heights"};
+constexpr std::array<std::string_view, 4> kLookups = {"panorama", "cube map", "dual paraboloid map", "sphere map"};
+constexpr std::array<std::string_view, 2> kHighlights = {"computed, (n·h)^40", "drawn"};
+constexpr std::array<std::string_view, 2> kBacks = {"gets nothing (as published)", "shares the mean (two bands)"};
+constexpr std::array<std::string_view, 2> kTurns = {"the normal, the other way", "the coefficients"};
+constexpr std::array<std::string_view, 2> kLampShapes = {"ball", "square"};
+constexpr std::array<std::string_view, 3> kReflections = {"four maps, blended", "the nearest map",
+                                                          "split sum (n = v = r)"};
+constexpr std::array<std::string_view, 11> kLightSets = {"each for a second", "Old Town Square",      "Grace Cathedral",
+                                                         "Eucalyptus Grove",  "St. Peter's Basilica", "Uffizi Gallery",
+                                                         "Galileo's tomb",    "Vine Street kitchen",  "Breezeway",
+                                                         "Campus Sunset",     "Funston Beach Sunset"};
+
 constexpr std::size_t kCommon = 6;
 constexpr Control kControls[] = {
     {.name = "exposure_ev", .label = "exposure, EV", .least = -12, .greatest = 12, .step = 0.25},
@@ -24,7 +37,11 @@ constexpr Control kControls[] = {
     {.name = "difference_gain", .label = "difference times", .least = 1, .greatest = 32, .initial = 4, .step = 1},
     {.name = "albedo", .label = "albedo", .initial = 0.8, .step = 0.05},
     // of single techniques
-    {.name = "ambient_light", .label = "ambient light", .kind = ControlKind::kChoice, .greatest = 2, .initial = 1,
+    {.name = "ambient_light",
+     .label = "ambient light",
+     .kind = ControlKind::kChoice,
+     .greatest = 2,
+     .initial = 1,
      .choices = kAmbient},
     {.name = "viewpoint", .label = "looked up by", .kind = ControlKind::kChoice, .greatest = 1, .choices = kViewpoints},
     {.name = "bump_depth", .label = "bump depth", .greatest = 2, .initial = 1, .step = 0.05},
@@ -36,7 +53,42 @@ constexpr Control kControls[] = {
     {.name = "bands", .label = "bands", .least = 1, .greatest = 6, .initial = 3, .step = 1},
     {.name = "window_kind", .label = "window", .kind = ControlKind::kChoice, .greatest = 3, .choices = kWindows},
     {.name = "window_strength", .label = "window strength", .initial = 0.5, .step = 0.02},
-    {.name = "tint_negative", .label = "tint negative light", .kind = ControlKind::kToggle, .greatest = 1, .initial = 1},
+    {.name = "tint_negative",
+     .label = "tint negative light",
+     .kind = ControlKind::kToggle,
+     .greatest = 1,
+     .initial = 1},
+    {.name = "bump_source", .label = "bumps from", .kind = ControlKind::kChoice, .greatest = 1, .choices = kBumps},
+    {.name = "bump_lookup", .label = "looked up in", .kind = ControlKind::kChoice, .greatest = 3, .choices = kLookups},
+    {.name = "highlight_source",
+     .label = "highlight",
+     .kind = ControlKind::kChoice,
+     .greatest = 1,
+     .choices = kHighlights},
+    {.name = "vector_back",
+     .label = "the back of a surface",
+     .kind = ControlKind::kChoice,
+     .greatest = 1,
+     .choices = kBacks},
+    {.name = "turn_by",
+     .label = "light turned by turning",
+     .kind = ControlKind::kChoice,
+     .greatest = 1,
+     .choices = kTurns},
+    {.name = "lamp_shape", .label = "lamp", .kind = ControlKind::kChoice, .greatest = 1, .choices = kLampShapes},
+    {.name = "lamp_distance",
+     .label = "distance of the lamp",
+     .least = 2.2,
+     .greatest = 8,
+     .initial = 2.4,
+     .step = 0.1},
+    {.name = "lamp_radius", .label = "radius of the lamp", .least = 0.1, .greatest = 1.2, .initial = 1, .step = 0.05},
+    {.name = "reflection_by",
+     .label = "reflected by",
+     .kind = ControlKind::kChoice,
+     .greatest = 2,
+     .choices = kReflections},
+    {.name = "light_set", .label = "light set", .kind = ControlKind::kChoice, .greatest = 10, .choices = kLightSets},
     {.name = "light_count", .label = "lights", .least = 0, .greatest = 3, .initial = 3, .step = 1},
 };
 

@@ -31,9 +31,9 @@ struct LoadedMesh {
   std::vector<std::string> notes;  ///< what was made, turned or left out, in words for the user
 };
 
-/// Reads a mesh and makes it what the viewer draws: OBJ, PLY (text, binary of either byte order) and glTF 2.0 (.gltf, .glb),
-/// told apart by their content. All objects of a file are one mesh; materials, textures, skins and animations are left
-/// out, and no file but the buffers of a .gltf is opened, these from its own folder only.
+/// Reads a mesh and makes it what the viewer draws: OBJ, PLY (text, binary of either byte order) and glTF 2.0 (.gltf,
+/// .glb), told apart by their content. All objects of a file are one mesh; materials, textures, skins and animations
+/// are left out, and no file but the buffers of a .gltf is opened, these from its own folder only.
 ///
 /// Polygons become fans about their first corner; triangles without an area are left out. What is used must be finite.
 /// The middle of the bounding box goes to the origin and the farthest point to distance 1. Y-up files are turned so

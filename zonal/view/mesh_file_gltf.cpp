@@ -79,7 +79,8 @@ class GltfReader {
     for (const GltfJson& extension : list(document_, "extensionsRequired")) {
       const std::string name = extension.is_string() ? extension.get<std::string>() : "?";
       const bool geometry = name.find("compression") != name.npos || name == "KHR_mesh_quantization";
-      if (geometry) soup_.fail(fmt::format("it needs {}, which is not read here", name), "export it without compression");
+      if (geometry)
+        soup_.fail(fmt::format("it needs {}, which is not read here", name), "export it without compression");
     }
   }
 

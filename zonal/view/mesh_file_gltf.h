@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
@@ -47,7 +48,7 @@ class GltfBuffers {
 
  private:
   std::span<const std::byte> buffer(std::uint64_t index);
-  std::vector<std::byte> read(const std::string& address) const;
+  std::vector<std::byte> read(const std::string& address) const;  // at most what is left of max_bytes
   std::vector<std::byte> read_beside(const std::string& address) const;
 
   const GltfJson& document_;
@@ -55,6 +56,7 @@ class GltfBuffers {
   const std::filesystem::path& folder_;
   const MeshSoup& soup_;
   std::map<std::uint64_t, std::vector<std::byte>> loaded_;
+  std::uint64_t loaded_bytes_ = 0;
 };
 
 }  // namespace zonal

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
-#include <map>
+#include <array>
+#include <bit>
 
 #include "zonal/io/file.h"
 #include "zonal/view/mesh_file_gltf.h"
@@ -68,7 +68,7 @@ int base64_digit(char c) {
 
 std::vector<std::byte> base64_bytes(std::string_view text, const MeshSoup& soup) {
   while (text.ends_with('=')) text.remove_suffix(1);
-  std::vector<std::byte> bytes;
+  std::vector<std::byte> bytes;  // shorter than the text, whose length is limited
   bytes.reserve(text.size() / 4 * 3 + 3);
   std::uint32_t bits = 0;
   int held = 0;
@@ -108,7 +108,8 @@ std::string decoded(std::string_view address, const MeshSoup& soup) {
 }  // namespace
 
 double GltfNumbers::operator()(std::size_t i, int k) const {
-  const std::byte* at = first_ + i * stride_ + static_cast<std::size_t>(k) * bytes_of(static_cast<std::uint64_t>(type_));
+  const std::byte* at =
+      first_ + i * stride_ + static_cast<std::size_t>(k) * bytes_of(static_cast<std::uint64_t>(type_));
   switch (type_) {
     case kInt8:
       return std::max(-1.0, scale_ * little<std::int8_t>(at));
@@ -176,7 +177,10 @@ std::span<const std::byte> GltfBuffers::buffer(std::uint64_t index) {
   } else {
     if (!address->is_string()) soup_.fail("the address of a buffer is no text", kDamaged);
     const auto [found, is_new] = loaded_.try_emplace(index);
-    if (is_new) found->second = read(address->get_ref<const std::string&>());
+    if (is_new) {
+      found->second = read(address->get_ref<const std::string&>());
+      loaded_bytes_ += found->second.size();
+    }
     bytes = found->second;
   }
   const std::uint64_t size = gltf_number(soup_, buffer, "byteLength", 0);
@@ -198,7 +202,7 @@ std::vector<std::byte> GltfBuffers::read_beside(const std::string& address) cons
   namespace fs = std::filesystem;
   const std::string name = decoded(address, soup_);
   const auto refuse = [&] {
-    soup_.fail(fmt::format("it asks for '{}', which is not in its folder", name.substr(0, 200)),
+    soup_.fail(fmt::format("it asks for '{}', which is not in its folder", address.substr(0, 200)),
                "put all of its files into one folder, or export it as one file (.glb)");
   };
   const fs::path path = name;
@@ -212,7 +216,7 @@ std::vector<std::byte> GltfBuffers::read_beside(const std::string& address) cons
   if (error) refuse();
   const auto [end, in_file] = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
   if (end != folder.end() || in_file == file.end()) refuse();
-  return read_file(file, soup_.options().max_bytes);
+  return read_file(file, soup_.options().max_bytes - loaded_bytes_);
 }
 
 }  // namespace zonal

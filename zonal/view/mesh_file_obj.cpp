@@ -71,8 +71,8 @@ class ObjReader {
   std::int32_t place_in(std::string_view word, std::size_t count) {
     const std::optional<std::int64_t> number = word_number<std::int64_t>(word);
     if (!number || *number == 0) fail(fmt::format("has '{}' for a place in a list", word.substr(0, 40)));
-    const double place = *number > 0 ? static_cast<double>(*number) - 1
-                                     : static_cast<double>(count) + static_cast<double>(*number);
+    const double place =
+        *number > 0 ? static_cast<double>(*number) - 1 : static_cast<double>(count) + static_cast<double>(*number);
     if (!(place >= 0)) fail(fmt::format("names place {} of {}", *number, count));
     return mesh_place(place);
   }

@@ -124,7 +124,9 @@ class PlyHeaderReader {
     return property;
   }
 
-  [[noreturn]] void fail(const std::string& what) const { soup_.fail(what, "the PLY file is damaged: export it again"); }
+  [[noreturn]] void fail(const std::string& what) const {
+    soup_.fail(what, "the PLY file is damaged: export it again");
+  }
 
   std::string_view& text_;
   const MeshSoup& soup_;
@@ -247,7 +249,8 @@ class PlyReader {
 
   /// `corners_at` is the list of corners; -1: an element that is only passed over.
   void read_faces(const PlyElement& element, int corners_at) {
-    if (corners_at >= 0 && !element.properties[corners_at].count) soup_.fail("its faces are no lists", "export it again");
+    if (corners_at >= 0 && !element.properties[corners_at].count)
+      soup_.fail("its faces are no lists", "export it again");
     std::vector<MeshCorner> corners;
     for (std::uint64_t i = 0; i < element.count; ++i) {
       for (int k = 0; k < static_cast<int>(element.properties.size()); ++k) {
@@ -278,7 +281,8 @@ void read_ply(std::span<const std::byte> file, MeshSoup& soup) {
   std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
   PlyHeader header = PlyHeaderReader(text, soup).read();
   const auto is_vertex = [](const PlyElement& element) { return element.name == "vertex"; };
-  if (std::ranges::count_if(header.elements, is_vertex) > 1) soup.fail("it has two lists of vertices", "export it again");
+  if (std::ranges::count_if(header.elements, is_vertex) > 1)
+    soup.fail("it has two lists of vertices", "export it again");
   PlyReader(header, PlyBody(text, header.format, soup), soup).read();
 }
 

@@ -114,9 +114,7 @@ class MeshMaker {
   static constexpr double kSmallestArea = 1e-12;
 
   Vec3 at(const MeshCorner& corner) const { return soup_.positions[corner.position]; }
-  Vec3 face_normal(const std::array<MeshCorner, 3>& t) const {
-    return cross(at(t[1]) - at(t[0]), at(t[2]) - at(t[0]));
-  }
+  Vec3 face_normal(const std::array<MeshCorner, 3>& t) const { return cross(at(t[1]) - at(t[0]), at(t[2]) - at(t[0])); }
   bool has_area(const std::array<MeshCorner, 3>& t) const { return length(face_normal(t)) > kSmallestArea; }
   bool lacks_normal(const MeshCorner& corner) const {
     return corner.normal < 0 || soup_.normals[corner.normal] == Vec3{};
@@ -170,8 +168,9 @@ class MeshMaker {
       if (shifted) uv[0] += 1;
       const auto f = [](double x) { return static_cast<float>(x); };
       vertex = {{f(p.x), f(p.y), f(p.z)}, {f(n.x), f(n.y), f(n.z)}, {f(uv[0]), f(uv[1])}};
-      add_vertex({corner.position, lacks_normal(corner) ? -1 : corner.normal, lacks_uv ? (shifted ? -2 : -1) : corner.uv},
-                 vertex);
+      add_vertex(
+          {corner.position, lacks_normal(corner) ? -1 : corner.normal, lacks_uv ? (shifted ? -2 : -1) : corner.uv},
+          vertex);
     }
     if (lacks_uv) ++uvs_made;
     if (std::ranges::any_of(t, [&](const MeshCorner& c) { return lacks_normal(c); })) ++normals_made;
@@ -211,7 +210,7 @@ void MeshSoup::add_polygon(std::span<const MeshCorner> corners) {
 
 void MeshSoup::check_count(std::uint64_t vertices) const {
   // Of triangles that share nothing, three times as many; of closed meshes, half as many.
-  if (vertices / 3 > static_cast<std::uint64_t>(options_.max_triangles)) {
+  if (vertices > 3 * static_cast<std::uint64_t>(options_.max_triangles)) {
     fail(fmt::format("it has {} vertices", vertices), "simplify the mesh");
   }
 }

@@ -59,6 +59,22 @@ Array camera() {
   return list;
 }
 
+/// The sums over texels for each pixel: slow on any card.
+bool is_sum(Exact exact) { return exact == Exact::kGlossy || exact == Exact::kGlossyFixed || exact == Exact::kPhong; }
+
+/// The uniform marked_lights by the number of lights that people choose.
+Array marks(const Technique& technique) {
+  Array list;
+  ViewState state;
+  state.technique = &technique;
+  const Control& count = control_named("light_count");
+  for (double lights = count.least; lights <= count.greatest; ++lights) {
+    state.set(count.name, lights);
+    list.push_back(marked_lights(state));
+  }
+  return list;
+}
+
 Array techniques() {
   Array list;
   for (const Technique& technique : all_techniques()) {
@@ -68,6 +84,9 @@ Array techniques() {
                           {"explanation", text_of(technique.explanation)},
                           {"formula", text_of(technique.formula)},
                           {"source", text_of(technique.source)},
+                          {"slow", is_sum(technique.exact)},
+                          {"moves", technique.moves},
+                          {"marked_lights", marks(technique)},
                           {"controls", texts(technique.controls)}});
   }
   return list;
@@ -77,20 +96,25 @@ Array techniques() {
 Object shaders() {
   const std::string background = background_fragment_shader(ShaderHome::kWeb);
   std::size_t shared = background.size();
-  std::vector<std::pair<std::string, std::string>> texts;
-  for (const Technique& technique : all_techniques()) {
-    texts.emplace_back(technique.id, technique_fragment_shader(ShaderHome::kWeb, technique));
-    const std::string& text = texts.back().second;
+  const auto shorten = [&](const std::string& text) {
     const auto differ = std::mismatch(text.begin(), text.end(), background.begin(), background.end());
     shared = std::min(shared, static_cast<std::size_t>(differ.first - text.begin()));
+  };
+  for (const Technique& technique : all_techniques()) {
+    shorten(technique_fragment_shader(ShaderHome::kWeb, technique));
+    shorten(lone_technique_fragment_shader(ShaderHome::kWeb, technique));
   }
-  Object of_technique;
-  for (const auto& [id, text] : texts) of_technique.emplace_back(id, text.substr(shared));
+  Object compared, alone;
+  for (const Technique& technique : all_techniques()) {
+    compared.emplace_back(technique.id, technique_fragment_shader(ShaderHome::kWeb, technique).substr(shared));
+    alone.emplace_back(technique.id, lone_technique_fragment_shader(ShaderHome::kWeb, technique).substr(shared));
+  }
   return {{"shared", background.substr(0, shared)},
           {"mesh_vertex", mesh_vertex_shader(ShaderHome::kWeb)},
           {"background_vertex", background_vertex_shader(ShaderHome::kWeb)},
           {"background", background.substr(shared)},
-          {"of_technique", std::move(of_technique)}};
+          {"compared", std::move(compared)},
+          {"alone", std::move(alone)}};
 }
 
 std::size_t add_table(PageBytes& bytes, const Image<Rgb>& image) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <functional>
+
 #include "zonal/base/check.h"
 #include "zonal/io/json_text.h"
 #include "zonal/sh/basis_constants.h"
@@ -31,24 +33,54 @@ std::string literal(double value) {
   return digits;
 }
 
-/// The first six bands at a unit direction, from the constants of the library's own recurrence (sh/eval.h).
-std::string basis_function() {
+/// Straight-line code, from the constants of the library's own recurrence (sh/eval.h), of six bands at a unit
+/// direction: `use(l, m)` is what to do once `now` is y_lm but for its longitude, (c, s) being r^m times cosine and
+/// sine of m longitudes.
+std::string basis_steps(const std::function<std::string(int l, int m)>& use) {
   constexpr int kBands = 6;
   constexpr const BasisConstants<kBands>& k = kBasisConstants<kBands>;
-  std::string text = "void sh_basis(vec3 d, out float y[36]) {\n  float c = 1.0, s = 0.0, before, now, next;\n";
+  std::string text = "  float c = 1.0, s = 0.0, before, now, next;\n";
   for (int m = 0; m < kBands; ++m) {
     text += fmt::format("  before = 0.0; now = {};\n", literal(k.start[m]));
     for (int l = m; l < kBands; ++l) {
       if (l > m) {
-        text += fmt::format("  next = {} * d.z * now - {} * before; before = now; now = next;\n", literal(k.slope[l][m]),
-                            literal(k.offset[l][m]));
+        text += fmt::format("  next = {} * d.z * now - {} * before; before = now; now = next;\n",
+                            literal(k.slope[l][m]), literal(k.offset[l][m]));
       }
-      text += fmt::format("  y[{}] = now{};\n", l * (l + 1) + m, m > 0 ? " * c" : "");
-      if (m > 0) text += fmt::format("  y[{}] = now * s;\n", l * (l + 1) - m);
+      text += "  " + use(l, m) + "\n";
     }
     text += "  next = d.x * c - d.y * s; s = d.x * s + d.y * c; c = next;\n";
   }
-  return text + "}\n";
+  return text;
+}
+
+std::string basis_function() {
+  return "void sh_basis(vec3 d, out float y[36]) {\n" + basis_steps([](int l, int m) {
+           const int zero = l * (l + 1);
+           if (m == 0) return fmt::format("y[{}] = now;", zero);
+           return fmt::format("y[{}] = now * c; y[{}] = now * s;", zero + m, zero - m);
+         }) +
+         "}\n";
+}
+
+/// The uniform coefficients times the basis and a weight for each band, the light turned about +Z by the angle whose
+/// cosine and sine are `turn`: the coefficients of m and -m turn into each other by m times the angle.
+std::string sum_function() {
+  std::string powers = "  vec2 turn0 = vec2(1.0, 0.0)";
+  for (int m = 1; m < 6; ++m) {
+    powers += fmt::format(
+        ", turn{0} = vec2(turn{1}.x * turn.x - turn{1}.y * turn.y, turn{1}.x * turn.y + turn{1}.y * turn.x)", m, m - 1);
+  }
+  return "vec3 sh_sum(vec3 d, vec2 turn, float weights[6]) {\n" + powers + ";\n  vec3 sum = vec3(0.0);\n" +
+         basis_steps([](int l, int m) {
+           const int zero = l * (l + 1);
+           if (m == 0) return fmt::format("sum += weights[{}] * now * sh[{}];", l, zero);
+           return fmt::format(
+               "sum += weights[{0}] * now * (c * (turn{1}.x * sh[{2}] - turn{1}.y * sh[{3}]) + "
+               "s * (turn{1}.y * sh[{2}] + turn{1}.x * sh[{3}]));",
+               l, m, zero + m, zero - m);
+         }) +
+         "  return sum;\n}\n";
 }
 
 /// What every fragment shader starts with.
@@ -66,10 +98,34 @@ std::string_view exact_stem(Exact exact) {
       return "exact_mirror";
     case Exact::kGlossy:
       return "exact_glossy";
+    case Exact::kBentMirror:
+      return "exact_bent_mirror";
+    case Exact::kGlossyFixed:
+      return "exact_glossy_fixed";
+    case Exact::kLamp:
+      return "exact_lamp";
+    case Exact::kNine:
+      return "exact_nine";
     case Exact::kPhong:
       break;
   }
   return "exact_phong";
+}
+
+/// What several techniques share, for those that call it.
+std::string functions_for(std::string_view bodies) {
+  std::string text;
+  const auto calls = [&](std::string_view function) { return bodies.find(function) != std::string_view::npos; };
+  if (calls("sh_basis(")) text += basis_function();
+  if (calls("sh_sum(")) text += sum_function();
+  if (calls("polynomial_irradiance(")) text += shader_body("polynomial");
+  if (calls("lamp_center(")) text += shader_body("lamp");
+  if (calls("glossy_sum(")) text += shader_body("glossy_sum");
+  return text;
+}
+
+std::string fragment_shader(ShaderHome home, const std::string& bodies) {
+  return shared(home) + functions_for(bodies) + bodies + std::string(shader_body("surface_main"));
 }
 
 }  // namespace
@@ -82,17 +138,16 @@ std::string_view shader_body(std::string_view stem) {
   return {};
 }
 
-std::string mesh_vertex_shader(ShaderHome home) {
-  return head(home) + std::string(shader_body("mesh_vertex"));
-}
+std::string mesh_vertex_shader(ShaderHome home) { return head(home) + std::string(shader_body("mesh_vertex")); }
 
 std::string technique_fragment_shader(ShaderHome home, const Technique& technique) {
-  std::string text = shared(home);
-  if (shader_body(technique.id).find("sh_basis") != std::string_view::npos) text += basis_function();
-  for (const std::string_view stem : {technique.id, exact_stem(technique.exact), std::string_view("surface_main")}) {
-    text += shader_body(stem);
-  }
-  return text;
+  return fragment_shader(
+      home, std::string(shader_body(technique.id)) + std::string(shader_body(exact_stem(technique.exact))));
+}
+
+std::string lone_technique_fragment_shader(ShaderHome home, const Technique& technique) {
+  return fragment_shader(home,
+                         std::string(shader_body(technique.id)) + "vec3 exact(Surface s) { return vec3(0.0); }\n");
 }
 
 std::string background_vertex_shader(ShaderHome home) {

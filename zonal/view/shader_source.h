@@ -17,6 +17,9 @@ enum class ShaderHome {
 std::string mesh_vertex_shader(ShaderHome);
 /// The pixels of a surface: the technique, what it is compared with, exposure and tone curve.
 std::string technique_fragment_shader(ShaderHome, const Technique&);
+/// The same without the exact answer (which is black), for pictures of the technique alone: software renderers work on
+/// both sides of every branch.
+std::string lone_technique_fragment_shader(ShaderHome, const Technique&);
 /// A triangle over the whole picture, without attributes, and the environment behind the object.
 std::string background_vertex_shader(ShaderHome);
 std::string background_fragment_shader(ShaderHome);

@@ -14,10 +14,11 @@ const std::vector<Technique>& techniques() {
       {.id = "lambert",
        .title = "One light and an ambient constant",
        .group = kConstant,
-       .explanation =
-           "Where lighting by the environment starts: the brightest light of the panorama as one directional light, and "
-           "all the rest as a constant that comes from everywhere. Without the constant, what faces away from the light "
-           "is black, as it never is in a real place.",
+       .explanation = "Where lighting by the environment starts: the brightest light of the panorama as one "
+                      "directional light, and "
+                      "all the rest as a constant that comes from everywhere. Without the constant, what faces away "
+                      "from the light "
+                      "is black, as it never is in a real place.",
        .formula = "L = albedo/π (π L_A + E_L max(n·l, 0))",
        .source = "Lambert 1760",
        .exact = Exact::kDiffuse,
@@ -38,7 +39,8 @@ const std::vector<Technique>& techniques() {
        .explanation =
            "A photograph of a mirrored ball. With the eye's normal as texture coordinates the picture sticks to the "
            "eye: it is right from one viewpoint only. Looked up by the half vector of the mirrored direction and the "
-           "direction to the camera that took it, it is right from everywhere but for its rim, where a pixel is degrees wide.",
+           "direction to the camera that took it, it is right from everywhere but for its rim, where a pixel is "
+           "degrees wide.",
        .formula = "m = √(r_x² + r_y² + (r_z + 1)²),  u = r_x/2m + ½,  v = r_y/2m + ½",
        .source = "Miller & Hoffman 1984; GL_SPHERE_MAP",
        .exact = Exact::kMirror,
@@ -46,28 +48,32 @@ const std::vector<Technique>& techniques() {
       {.id = "cube-map",
        .title = "Cube map",
        .group = kMirrors,
-       .explanation = "Six pictures on the faces of a cube: the largest component of the mirrored direction chooses the "
-                      "face, the other two are the place on it. No pole, no seam, little distortion.",
+       .explanation =
+           "Six pictures on the faces of a cube: the largest component of the mirrored direction chooses the "
+           "face, the other two are the place on it. No pole, no seam, little distortion.",
        .formula = "face = argmax |r|,  (u, v) = ½ + ½ r⊥/|r_max|",
        .source = "Greene 1986",
        .exact = Exact::kMirror},
       {.id = "dual-paraboloid",
        .title = "Dual paraboloid map",
        .group = kMirrors,
-       .explanation = "Two discs, each a hemisphere seen in a parabolic mirror. The lookup is one division, and the map "
-                      "does not depend on the viewpoint.",
+       .explanation =
+           "Two discs, each a hemisphere seen in a parabolic mirror. The lookup is one division, and the map "
+           "does not depend on the viewpoint.",
        .formula = "(u, v) = ½ + ½ (r_x, r_y)/(1 + |r_z|)",
        .source = "Heidrich & Seidel 1998",
        .exact = Exact::kMirror},
       {.id = "bump",
        .title = "Environment-mapped bump mapping",
        .group = kMirrors,
-       .explanation = "A picture of normals bends the surface's normal before the light is mirrored at it. The exact "
-                      "answer beside it is the smooth mirror: the difference is the bumps.",
-       .formula = "n' = T (2 texel − 1),  r = 2(n'·v)n' − v",
+       .explanation =
+           "A picture bends the surface's normal before the light is mirrored at it: a picture of normals as "
+           "they are, or of heights whose slope is taken per pixel. Any map can be looked up. The exact answer "
+           "beside it has the normals and the panorama, so the difference is what the other choices lose.",
+       .formula = "n' = T (2 texel − 1)  or  n' = T (−∂h/∂u, −∂h/∂v, 1),  r = 2(n'·v)n' − v",
        .source = "Blinn 1978",
-       .exact = Exact::kMirror,
-       .controls = {"bump_depth"}},
+       .exact = Exact::kBentMirror,
+       .controls = {"bump_source", "bump_lookup", "bump_depth"}},
       {.id = "highlight-map",
        .title = "Highlight map",
        .group = kMatte,
@@ -76,7 +82,7 @@ const std::vector<Technique>& techniques() {
        .formula = "L = albedo/π E(n) + H(½ + ½ n_x, ½ + ½ n_y)",
        .source = "lecture, highlight mapping",
        .exact = Exact::kDiffuse,
-       .controls = {"highlight_strength"}},
+       .controls = {"highlight_source", "highlight_strength"}},
       {.id = "uniform-blur",
        .title = "Panorama blurred evenly",
        .group = kFiltered,
@@ -89,8 +95,9 @@ const std::vector<Technique>& techniques() {
       {.id = "phong",
        .title = "Glossy: Phong's lobe",
        .group = kFiltered,
-       .explanation = "The panorama convolved with a power of the cosine about the mirrored direction, once for each of "
-                      "some shininesses. Between them the lookup interpolates.",
+       .explanation =
+           "The panorama convolved with a power of the cosine about the mirrored direction, once for each of "
+           "some shininesses. Between them the lookup interpolates.",
        .formula = "L = (s+1)/2π ∫ L_i max(l·r, 0)^s dω",
        .source = "Phong 1975; Miller & Hoffman 1984",
        .exact = Exact::kPhong,
@@ -105,6 +112,19 @@ const std::vector<Technique>& techniques() {
        .source = "Karis 2013",
        .exact = Exact::kGlossy,
        .controls = {"roughness", "f0"}},
+      {.id = "reflection-space",
+       .title = "Glossy: GGX, maps of reflection space",
+       .group = kFiltered,
+       .explanation =
+           "The panorama filtered by the lobe as an eye sees it, leaning and stretched toward grazing angles, "
+           "once for each of some directions of the eye. A pixel looks its mirrored direction up in the four "
+           "maps whose eyes are around it and blends them. One roughness only, since the maps are many; the "
+           "split sum, which takes every lobe as seen from above (n = v = r), is here to compare with.",
+       .formula =
+           "L = (f0 A + B) Σ_k w_k(v) M_k(r),  M_k(r) = ∫ L_i D V n·l dω / ∫ D V n·l dω at n = (v_k + r)/|v_k + r|",
+       .source = "Cabral, Olano & Nemec 1999",
+       .exact = Exact::kGlossyFixed,
+       .controls = {"reflection_by", "f0"}},
       {.id = "irradiance-map",
        .title = "Irradiance map",
        .group = kMatte,
@@ -118,28 +138,59 @@ const std::vector<Technique>& techniques() {
        .group = kMatte,
        .explanation = "All light gathered into one vector for each colour. The difference of the irradiance on the two "
                       "sides of a surface is exactly its product with the normal; taken as the irradiance itself it "
-                      "misses what reaches the back.",
-       .formula = "e = ∫ L_i l dω,  E(n) − E(−n) = n·e",
+                      "misses what reaches the back, most of the light of most places. With the mean of the light for "
+                      "both sides it is the first two bands of spherical harmonics.",
+       .formula = "e = ∫ L_i l dω,  E(n) − E(−n) = n·e;  E ≈ max(n·e, 0)  or  E ≈ π L̄ + n·e/2",
        .source = "Gershun 1939; Arvo 1994",
-       .exact = Exact::kDiffuse},
+       .exact = Exact::kDiffuse,
+       .controls = {"vector_back"}},
+      {.id = "near-lamp",
+       .title = "Area light nearby",
+       .group = kMatte,
+       .explanation =
+           "A large lamp as if all its light came from its middle: exact for a ball as long as all of it is "
+           "above the surface's horizon, a good guess for a small square. Where the horizon cuts the lamp the "
+           "guess is too bright on one side of the edge of light and black on the other, where light still "
+           "falls. The lamp stands where the brightest light of the panorama is and is as bright at the "
+           "object's middle, however large; the exact answer cuts it at the horizon in closed form.",
+       .formula = "E ≈ E_L max(n·l, 0),  E_L = π r²/d² L (ball),  A cos θ_L/d² L (square)",
+       .source = "Lambert 1760; Snyder 1996",
+       .exact = Exact::kLamp,
+       .controls = {"lamp_shape", "lamp_distance", "lamp_radius"}},
       {.id = "sh-bands",
        .title = "Spherical harmonics, 1 to 6 bands",
        .group = kHarmonics,
-       .explanation = "The light as 1, 4, 9, ... 36 coefficients, scaled by the cosine's factor in each band. Three "
-                      "bands keep 99 % of the irradiance of most places; a strong sun makes them ring below zero, which "
-                      "is tinted here, and a window takes the ringing out.",
+       .explanation =
+           "The light as 1, 4, 9, ... 36 coefficients, scaled by the cosine's factor in each band. Three "
+           "bands keep 99 % of the irradiance of most places; a strong sun makes them ring below zero, which "
+           "is tinted here, and a window takes the ringing out.",
        .formula = "E/π = Σ_l A_l w_l Σ_m L_lm y_lm(n)",
        .source = "Ramamoorthi & Hanrahan 2001; Sloan 2008",
        .exact = Exact::kDiffuse,
-       .controls = {"bands", "window_kind", "window_strength", "tint_negative"}},
+       .controls = {"bands", "window_kind", "window_strength", "tint_negative", "turn_by"}},
       {.id = "sh-polynomial",
        .title = "Nine coefficients as a polynomial (the homework)",
        .group = kHarmonics,
-       .explanation = "Three bands written out as a polynomial of the normal with five constants: what the lecture asks "
-                      "its students to put into the vertex shader.",
+       .explanation =
+           "Three bands written out as a polynomial of the normal with five constants: what the lecture asks "
+           "its students to put into the vertex shader.",
        .formula = "E = k1 c22 (x² − y²) + k3 c20 z² + k4 c00 − k5 c20 + 2k1(...) + 2k2(...)",
        .source = "Ramamoorthi & Hanrahan 2001, eq. 13",
-       .exact = Exact::kDiffuse},
+       .exact = Exact::kDiffuse,
+       .controls = {"tint_negative"}},
+      {.id = "homework",
+       .title = "The homework's ten light sets",
+       .group = kHarmonics,
+       .explanation =
+           "The published coefficients of ten places, a second each, by the polynomial that the students "
+           "write. Of these places nothing is known but nine coefficients, so the exact answer is the sum over "
+           "the basis: the polynomial is the same function. The panorama behind the object is not its light; "
+           "the sets are scaled to be as bright.",
+       .formula = "I = albedo/π E(n) f_scale",
+       .source = "Tokoi, ggsample10; Rost 2006, chapter 12",
+       .exact = Exact::kNine,
+       .controls = {"light_set", "tint_negative"},
+       .moves = true},
       {.id = "sh-constants",
        .title = "Nine coefficients as seven vectors",
        .group = kHarmonics,
@@ -147,7 +198,8 @@ const std::vector<Technique>& techniques() {
                       "products.",
        .formula = "E/π = cA·(n, 1) + cB·(xy, yz, zz, zx) + cC (x² − y²)",
        .source = "Sloan 2008, appendix A10",
-       .exact = Exact::kDiffuse},
+       .exact = Exact::kDiffuse,
+       .controls = {"tint_negative"}},
       {.id = "extracted-lights",
        .title = "Extracted lights",
        .group = kHarmonics,
@@ -160,8 +212,11 @@ const std::vector<Technique>& techniques() {
       {.id = "ambient-cube",
        .title = "Ambient cube",
        .group = kHarmonics,
-       .explanation = "Six colours, one for each side of the world, blended by the squares of the normal. Cheap, and "
-                      "never negative where they are not; but it wobbles when the light turns.",
+       .explanation =
+           "Six colours, one for each side of the world, blended by the squares of the normal. Cheap, and "
+           "never negative where they are not. It has no place for light that changes between two axes (xy, yz "
+           "and zx): of a low sun there a seventh of the irradiance is wrong, and it wobbles when the light "
+           "turns.",
        .formula = "E/π = Σ n_i² c_i,sign(n_i)",
        .source = "McTaggart 2004; Sloan 2008, appendix A9",
        .exact = Exact::kDiffuse},

@@ -11,6 +11,8 @@
 #include "zonal/light/lobe.h"
 #include "zonal/light/project.h"
 #include "zonal/light/resample.h"
+#include "zonal/view/homework_lights.h"
+#include "zonal/view/reflection_space.h"
 #include "zonal/view/view_pictures.h"
 #include "zonal/view/view_uniforms.h"
 
@@ -31,6 +33,33 @@ std::vector<double> exponents(int levels) {
   std::vector<double> list;
   for (int i = 0; i < levels; ++i) list.push_back(levels == 1 ? 1 : std::pow(512, 1 - i / (levels - 1.0)));
   return list;
+}
+
+/// The least power of two that brings all light below what half floats (65504) and shared exponents (65408) hold.
+double unit_of(const Image<Rgb>& radiance) {
+  constexpr double kMost = 32768;
+  double brightest = 0, unit = 1;
+  for (const Rgb& value : radiance.values()) brightest = std::max(brightest, static_cast<double>(max_channel(value)));
+  while (std::isfinite(brightest) && brightest / unit > kMost) unit *= 2;
+  return unit;
+}
+
+/// The published light sets, a row each.
+Image<Rgb> homework_table() {
+  const auto lights = homework_lights();
+  Image<Rgb> table(9, static_cast<int>(lights.size()));
+  for (int y = 0; y < table.height(); ++y) {
+    const Sh<RgbD, 3> radiance = homework_radiance(lights[static_cast<std::size_t>(y)]);
+    for (int i = 0; i < 9; ++i) table(i, y) = Rgb(radiance[static_cast<std::size_t>(i)]);
+  }
+  return table;
+}
+
+/// As bright on the mean of the sets as on the mean of the panorama: the homework's f_scale.
+double homework_scale(RgbD mean) {
+  double sum = 0;
+  for (const HomeworkLight& light : homework_lights()) sum += luminance(mean_radiance(homework_radiance(light)));
+  return luminance(mean) * static_cast<double>(homework_lights().size()) / sum;
 }
 
 /// Every map that is a convolution of the panorama, analysed once.
@@ -68,18 +97,19 @@ void add_filtered(ViewData& data, const Environment& panorama, const ViewDataOpt
 }  // namespace
 
 ViewData view_data(const Environment& environment, const ViewDataOptions& options, const Run& run) {
-  const auto panorama_of = [&](int rows) {
-    return resample(environment, {Layout::kEquirect}, rows, {.uncovered = Uncovered::kRimMean}, run);
-  };
-  const Environment panorama = panorama_of(options.panorama_px);
   ViewData data;
+  Environment panorama =
+      resample(environment, {Layout::kEquirect}, options.panorama_px, {.uncovered = Uncovered::kRimMean}, run);
+  data.unit = unit_of(panorama.radiance);
+  for (Rgb& value : panorama.radiance.values()) value = static_cast<float>(1 / data.unit) * value;
   data.exposure_ev = auto_exposure_ev(panorama.radiance);
   const auto picture = [&](const char* name, Image<Rgb> image, bool repeats_x = false) {
     data.textures.push_back({.name = name, .repeats_x = repeats_x, .levels = {std::move(image)}});
   };
   picture("environment", panorama.radiance, true);
-  picture("environment_small", panorama_of(options.reference_rows).radiance, true);
-  data.textures.push_back({.name = "environment_mips", .repeats_x = true, .levels = halved_pictures(panorama.radiance)});
+  picture("environment_small", resample(panorama, {Layout::kEquirect}, options.reference_rows, {}, run).radiance, true);
+  data.textures.push_back(
+      {.name = "environment_mips", .repeats_x = true, .levels = halved_pictures(panorama.radiance)});
   data.textures.push_back({.name = "environment_cube",
                            .shape = TextureShape::kCube,
                            .levels = {resample(panorama, kStack, options.cube_px, {}, run).radiance}});
@@ -88,14 +118,20 @@ ViewData view_data(const Environment& environment, const ViewDataOptions& option
   add_filtered(data, panorama, options, run);
   data.textures.push_back({.name = "dfg_table", .table = true, .levels = {dfg_table(64, DfgVariant::kStandard, run)}});
   data.textures.push_back({.name = "window_table", .table = true, .levels = {window_picture()}});
-  data.textures.push_back({.name = "normal_map",
-                           .repeats_x = true,
-                           .repeats_y = true,
-                           .table = true,
-                           .levels = halved_pictures(bump_normals(128))});
+  data.textures.push_back(
+      {.name = "bump_map", .repeats_x = true, .repeats_y = true, .table = true, .levels = {bump_picture(kBumpPx)}});
+  add_uniform(data, "bump_height", std::vector<double>{kBumpHeight});
+  const ReflectionSpaceOptions space;
+  picture("reflection_space", reflection_space_maps(panorama, space, run));
+  add_uniform(data, "reflection_views", std::vector<double>{1.0 * space.views});
+  add_uniform(data, "reflection_roughness", std::vector<double>{space.roughness});
 
   const Sh<RgbD> radiance = project(panorama, 6, run);
-  picture("highlight_map", highlight_picture(64, mean_radiance(radiance)));
+  const RgbD mean = mean_radiance(radiance);
+  picture("highlight_map", highlight_picture(64, mean));
+  picture("highlight_drawn", drawn_highlight(64, mean));
+  data.textures.push_back({.name = "homework_table", .table = true, .levels = {homework_table()}});
+  add_uniform(data, "homework_scale", std::vector<double>{homework_scale(mean)});
   add_light_uniforms(data, radiance);
   return data;
 }

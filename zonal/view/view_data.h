@@ -6,19 +6,18 @@
 
 #include "zonal/base/run.h"
 #include "zonal/image/image.h"
+#include "zonal/io/ktx2.h"
 #include "zonal/light/environment.h"
 
 namespace zonal {
 
-enum class TextureShape { k2d, kCube };
-
 /// A texture of the shaders by the name of its sampler. Linear filtering, trilinear where it has levels.
 struct ViewTexture {
   std::string name;
-  TextureShape shape = TextureShape::k2d;
-  bool repeats_x = false;          ///< 2D: from left to right; else the edge goes on
-  bool repeats_y = false;          ///< 2D: from top to bottom
-  bool table = false;              ///< numbers rather than light: wants more than nine bits
+  TextureShape shape = TextureShape::kPicture;
+  bool repeats_x = false;               ///< 2D: from left to right; else the edge goes on
+  bool repeats_y = false;               ///< 2D: from top to bottom
+  bool table = false;                   ///< numbers rather than light: wants more than nine bits
   std::vector<Image<Rgb>> levels = {};  ///< each half of the last; cubes as stacks of six faces +X -X +Y -Y +Z -Z
 };
 
@@ -34,6 +33,7 @@ struct ViewData {
   std::vector<ViewTexture> textures;
   std::vector<ViewUniform> uniforms;
   double exposure_ev = 0;  ///< at which the panorama looks well
+  double unit = 1;         ///< radiance that 1 stands for: a power of two by which a sun fits into half floats
 };
 
 /// Sizes, in the natural unit of each layout.

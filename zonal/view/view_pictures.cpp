@@ -64,17 +64,18 @@ Image<Rgb> dual_paraboloid_picture(const Environment& source, int size_px, const
   });
 }
 
-Image<Rgb> bump_normals(int size_px) {
+Image<Rgb> bump_picture(int size_px) {
   Image<Rgb> picture(size_px, size_px);
   const double turn = 2 * kPi / size_px;
   for (int y = 0; y < size_px; ++y) {
     for (int x = 0; x < size_px; ++x) {
       const double u = turn * (x + 0.5), v = turn * (y + 0.5);
-      // The slope of the height cos u + cos v + cos(2u + v)/2, a quarter of it.
-      const double slope_u = 0.25 * (std::sin(u) + std::sin(2 * u + v)),
-                   slope_v = 0.25 * (std::sin(v) + 0.5 * std::sin(2 * u + v));
-      const Vec3 n = normalize(Vec3{slope_u, slope_v, 1});
-      picture(x, y) = Rgb(RgbD(0.5 + 0.5 * n.x, 0.5 + 0.5 * n.y, 0.5 + 0.5 * n.z));
+      // A quarter of cos u + cos v + cos(2u + v)/2, which lies in [-2.5, 2.5], over a tile 2 pi wide.
+      const double height = std::cos(u) + std::cos(v) + 0.5 * std::cos(2 * u + v);
+      const double slope_u = -0.25 * (std::sin(u) + std::sin(2 * u + v)),
+                   slope_v = -0.25 * (std::sin(v) + 0.5 * std::sin(2 * u + v));
+      const Vec3 n = normalize(Vec3{-slope_u, -slope_v, 1});
+      picture(x, y) = Rgb(RgbD(0.5 + 0.5 * n.x, 0.5 + 0.5 * n.y, 0.5 + 0.2 * height));
     }
   }
   return picture;
@@ -82,7 +83,7 @@ Image<Rgb> bump_normals(int size_px) {
 
 Image<Rgb> window_picture() {
   constexpr int kRows = 51, kBands = 6;
-  constexpr double kNarrowest = 3;   // bands
+  constexpr double kNarrowest = 3;    // bands
   constexpr double kHeaviest = 0.05;  // weight of the Laplacian
   Image<Rgb> picture(6, kRows, Rgb(1, 1, 1));
   for (int row = 1; row < kRows; ++row) {
@@ -107,6 +108,26 @@ Image<Rgb> highlight_picture(int size_px, RgbD light) {
       if (square >= 1) continue;
       const double cosine = std::max(0.0, dot(half, Vec3{nx, ny, std::sqrt(1 - square)}));
       picture(x, y) = Rgb(10 * std::pow(cosine, 40) * light);
+    }
+  }
+  return picture;
+}
+
+Image<Rgb> drawn_highlight(int size_px, RgbD light) {
+  Image<Rgb> picture(size_px, size_px);
+  // A soft rectangle over [-1, 1]^2 of its own with a bar across and a bar down.
+  const auto pane = [](double x, double y) {
+    const auto edge = [](double inside) { return std::clamp(8 * inside, 0.0, 1.0); };
+    return edge(1 - std::abs(x)) * edge(1 - std::abs(y)) * edge(std::abs(x) - 0.08) * edge(std::abs(y) - 0.08);
+  };
+  for (int y = 0; y < size_px; ++y) {
+    for (int x = 0; x < size_px; ++x) {
+      const double nx = 2 * (x + 0.5) / size_px - 1, ny = 1 - 2 * (y + 0.5) / size_px, square = nx * nx + ny * ny;
+      if (square >= 1) continue;
+      const double bend = 1 + 0.6 * square;
+      const double bright = pane((bend * nx + 0.45) / 0.28, (bend * ny - 0.5) / 0.3);
+      const double faint = 0.12 * pane((bend * nx - 0.6) / 0.2, (bend * ny + 0.6) / 0.2);
+      picture(x, y) = Rgb((3 * (bright + faint)) * light);
     }
   }
   return picture;

@@ -24,11 +24,10 @@ Matrix4 product(const Matrix4& a, const Matrix4& b) {
   return result;
 }
 
-constexpr CameraField kCameraFields[] = {
-    {"yaw", "around the object, degrees", &OrbitCamera::yaw_deg, -360, 360},
-    {"pitch", "above it, degrees", &OrbitCamera::pitch_deg, -89, 89},
-    {"distance", "distance, radii of the object", &OrbitCamera::distance, 1.2, 20},
-    {"fov", "field of view, degrees", &OrbitCamera::fov_deg, 5, 120}};
+constexpr CameraField kCameraFields[] = {{"yaw", "around the object, degrees", &OrbitCamera::yaw_deg, -360, 360},
+                                         {"pitch", "above it, degrees", &OrbitCamera::pitch_deg, -89, 89},
+                                         {"distance", "distance, radii of the object", &OrbitCamera::distance, 1.2, 20},
+                                         {"fov", "field of view, degrees", &OrbitCamera::fov_deg, 5, 120}};
 
 double number_in(std::string_view text, std::string_view field) {
   double value = 0;
@@ -88,10 +87,10 @@ CameraMatrices camera_matrices(const OrbitCamera& camera, double aspect) {
   const double scale = 1 / std::tan(radians(camera.fov_deg) / 2);
   const double depth = (kFar + kNear) / (kNear - kFar), shift = 2 * kFar * kNear / (kNear - kFar);
   const Matrix4 clip_from_eye = {f(scale / aspect), 0, 0, 0, 0, f(scale), 0, 0, 0, 0, f(depth), -1, 0, 0, f(shift), 0};
-  const Matrix4 eye_from_clip = {f(aspect / scale), 0, 0,  0,           0, f(1 / scale), 0, 0, 0, 0, 0,
-                                 f(1 / shift),      0, 0, -1, f(depth / shift)};
-  const Matrix4 eye_from_world = {f(right.x), f(up.x), f(back.x), 0, f(right.y), f(up.y), f(back.y), 0,
-                                  f(right.z), f(up.z), f(back.z), 0, 0, 0, f(-camera.distance), 1};
+  const Matrix4 eye_from_clip = {f(aspect / scale), 0, 0, 0, 0, f(1 / scale), 0, 0, 0, 0, 0, f(1 / shift), 0, 0, -1,
+                                 f(depth / shift)};
+  const Matrix4 eye_from_world = {f(right.x), f(up.x), f(back.x), 0, f(right.y), f(up.y), f(back.y),           0,
+                                  f(right.z), f(up.z), f(back.z), 0, 0,          0,       f(-camera.distance), 1};
   const Matrix4 world_from_eye = {f(right.x), f(right.y), f(right.z), 0, f(up.x),  f(up.y),  f(up.z),  0,
                                   f(back.x),  f(back.y),  f(back.z),  0, f(eye.x), f(eye.y), f(eye.z), 1};
   return {eye,
@@ -120,6 +119,11 @@ void ViewState::set(std::string_view name, double value) {
   } else {
     controls.insert_or_assign(std::string(name), value);
   }
+}
+
+int marked_lights(const ViewState& state) {
+  if (state.technique->id == "extracted-lights") return static_cast<int>(std::lround(state.value("light_count")));
+  return state.technique->id == "lambert" || state.technique->id == "near-lamp" ? 1 : 0;
 }
 
 std::string state_text(const ViewState& state) {

@@ -23,7 +23,7 @@ struct OrbitCamera {
 struct CameraField {
   std::string_view name;   ///< in an address
   std::string_view label;  ///< for people, with its unit
-  double OrbitCamera::* value;
+  double OrbitCamera::*value;
   double least, greatest;
 };
 std::span<const CameraField> camera_fields();
@@ -44,11 +44,15 @@ struct ViewState {
   OrbitCamera camera;
   std::string mesh = "sphere";
   std::map<std::string, double, std::less<>> controls;  ///< those that differ from their initial value
+  double time_s = 0;  ///< since the viewer was opened, for what moves by itself; in no address
 
   double value(std::string_view control) const;
   /// Throws Error{kUsage} for an unknown control or a value outside its range.
   void set(std::string_view control, double value);
 };
+
+/// The uniform marked_lights: how many of the extracted lights the technique shades by, to be marked in the background.
+int marked_lights(const ViewState&);
 
 /// What the page keeps in its address: "technique=split-sum&roughness=0.4&yaw=30". Every field may be missing.
 std::string state_text(const ViewState&);

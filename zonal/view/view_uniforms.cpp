@@ -6,6 +6,7 @@
 #include "zonal/sh/ambient_cube.h"
 #include "zonal/sh/irradiance.h"
 #include "zonal/sh/shading_constants.h"
+#include "zonal/sh/vector_irradiance.h"
 
 namespace zonal {
 namespace {
@@ -60,8 +61,6 @@ void add_uniform(ViewData& data, std::string name, const std::vector<RgbD>& colo
   add_uniform(data, std::move(name), vectors);
 }
 
-RgbD mean_radiance(const Sh<RgbD>& radiance) { return (1 / std::sqrt(4 * kPi)) * radiance(0, 0); }
-
 void add_light_uniforms(ViewData& data, const Sh<RgbD>& radiance) {
   add_uniform(data, "sh", std::vector<RgbD>(radiance.values().begin(), radiance.values().end()));
   add_uniform(data, "cosine_factors", cosine_factors(radiance.bands()));
@@ -81,13 +80,8 @@ void add_light_uniforms(ViewData& data, const Sh<RgbD>& radiance) {
   const AmbientCube<RgbD> cube = ambient_cube(irradiance_over_pi(radiance));
   add_uniform(data, "cube_sides", std::vector<RgbD>(cube.sides.begin(), cube.sides.end()));
 
-  // The first band holds the function's mean direction: e = sqrt(4 pi/3) (c11, c1-1, c10).
-  std::vector<Vec3> vectors;
-  for (const auto channel : {&RgbD::r, &RgbD::g, &RgbD::b}) {
-    vectors.push_back(std::sqrt(4 * kPi / 3) *
-                      Vec3{radiance(1, 1).*channel, radiance(1, -1).*channel, radiance(1, 0).*channel});
-  }
-  add_uniform(data, "vector_irradiance", vectors);
+  const auto vectors = vector_irradiance(radiance);
+  add_uniform(data, "vector_irradiance", std::vector<Vec3>(vectors.begin(), vectors.end()));
   add_extracted_lights(data, radiance);
 }
 

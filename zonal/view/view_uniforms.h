@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,10 @@ void add_uniform(ViewData&, std::string name, const std::vector<double>& numbers
 void add_uniform(ViewData&, std::string name, const std::vector<Vec3>& vectors);
 void add_uniform(ViewData&, std::string name, const std::vector<RgbD>& colors);
 
-RgbD mean_radiance(const Sh<RgbD>& radiance);
+template <int N>
+RgbD mean_radiance(const Sh<RgbD, N>& radiance) {
+  return (1 / std::sqrt(4 * kPi)) * radiance(0, 0);
+}
 
 /// All that the coefficients of six bands give: themselves, cosine factors, shader constants, ambient cube, vector
 /// irradiance, extracted lights.

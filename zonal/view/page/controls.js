@@ -15,14 +15,14 @@ const made = (tag, attributes, ...children) => {
 // Each of these gives {element, show(value)}; `changed(name, value)` is called when a person turns it.
 
 const sliderInput = (field, changed) => {
-  const id = 'zv-' + field.name, value = made('output', {htmlFor: id});
+  const id = 'zv-' + field.name, value = made('span', {class: 'zv-value', 'aria-hidden': 'true'});  // the input says it
   const input = made('input', {type: 'range', id, name: field.name, min: field.least, max: field.greatest,
                                step: field.step > 0 ? field.step : 'any',
                                oninput: () => changed(field.name, Number(input.value))});
   const name = made('span', {class: 'zv-name'}, made('label', {htmlFor: id}, field.label), value);
   return {
     element: made('div', {class: 'zv-control'}, name, input),
-    show: (number) => { input.value = number; value.value = String(Number(number.toPrecision(6))); },
+    show: (number) => { input.value = number; value.textContent = String(Number(number.toPrecision(6))); },
   };
 };
 

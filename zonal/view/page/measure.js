@@ -1,44 +1,44 @@
 // How far a technique is from its exact answer: both are drawn once more, small and in linear light, and compared.
 
+const sizes = {whole: [160, 90], slow: [64, 36]};
+
 class Measure {
   constructor(gl) {
     this.gl = gl;
     this.possible = gl.getExtension('EXT_color_buffer_float') !== null;
     if (!this.possible) return;
-    [this.width, this.height] = [160, 90];
+    const [width, height] = sizes.whole;
     this.frame = gl.createFramebuffer();
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.frame);
     for (const [place, format] of [[gl.COLOR_ATTACHMENT0, gl.RGBA32F], [gl.DEPTH_ATTACHMENT, gl.DEPTH_COMPONENT24]]) {
       const buffer = gl.createRenderbuffer();
       gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
-      gl.renderbufferStorage(gl.RENDERBUFFER, format, this.width, this.height);
+      gl.renderbufferStorage(gl.RENDERBUFFER, format, width, height);
       gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, buffer);
     }
     this.possible = gl.checkFramebufferStatus(gl.FRAMEBUFFER) === gl.FRAMEBUFFER_COMPLETE;
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
 
+  // What is under way is of no use any more.
+  forget() { this.ticket = undefined; }
+
   // The root of the mean square of the difference over that of the exact answer; undefined when another one was begun.
   // The page goes on while the card works.
-  async difference(scene, values) {
-    const gl = this.gl, ticket = this.ticket = {};
+  async difference(scene, values, slow) {
+    const gl = this.gl, ticket = this.ticket = {}, [width, height] = slow ? sizes.slow : sizes.whole;
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.frame);
-    gl.viewport(0, 0, this.width, this.height);
+    gl.viewport(0, 0, width, height);
     gl.clearColor(0, 0, -1, 0);  // blue tells the pixels that the object covers: it writes 0
     gl.clear(gl.DEPTH_BUFFER_BIT | gl.COLOR_BUFFER_BIT);
-    scene.drawMesh(values, scene.numbers(values, this.width, this.height, true));
-    const squares = new Float32Array(4 * this.width * this.height), pixels = gl.createBuffer();
+    scene.drawMesh(values, scene.numbers(values, width, height, true));
+    const squares = new Float32Array(4 * width * height), pixels = gl.createBuffer();
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, pixels);
     gl.bufferData(gl.PIXEL_PACK_BUFFER, squares.byteLength, gl.STREAM_READ);
-    gl.readPixels(0, 0, this.width, this.height, gl.RGBA, gl.FLOAT, 0);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, 0);
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-    gl.flush();
-    while (!gl.isContextLost() && gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) {
-      await new Promise((later) => setTimeout(later, 20));
-    }
-    gl.deleteSync(fence);
+    await finished(gl);
     const wanted = this.ticket === ticket && !gl.isContextLost();
     if (wanted) {
       gl.bindBuffer(gl.PIXEL_PACK_BUFFER, pixels);

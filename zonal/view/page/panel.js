@@ -12,17 +12,24 @@ class Panel {
     this.canvas = made('canvas', {tabIndex: 0, role: 'img'});
     this.canvas.setAttribute('aria-describedby', 'zv-keys');
     const compare = named('compare');
-    this.sides = made('div', {class: 'zv-sides', hidden: true}, made('span', {}, compare.choices[0]), made('span', {}, compare.choices[1]));
+    this.sides = made('div', {class: 'zv-sides', hidden: true},
+                      ...compare.choices.slice(0, 2).map((words) => made('span', {}, words)));
     this.sides.setAttribute('aria-hidden', 'true');
+    this.coarse = made('p', {class: 'zv-coarse', hidden: true},
+                       'Drawn coarsely: this exact answer is a long sum for every pixel.');
     this.number = made('output', {class: 'zv-number'});
     this.gain = control(named('difference_gain'));
-    const stage = made('div', {class: 'zv-stage'}, made('div', {class: 'zv-picture'}, this.canvas, this.sides),
+    const stage = made('div', {class: 'zv-stage'}, made('div', {class: 'zv-picture'}, this.canvas, this.sides, this.coarse),
         made('div', {class: 'zv-bar'}, input('compare', optionsInput(compare, changed)), this.gain, this.number),
-        made('span', {class: 'zv-unseen', id: 'zv-keys'}, 'Arrow keys turn the eye about the object, plus and minus bring it nearer and farther.'));
+        made('span', {class: 'zv-unseen', id: 'zv-keys'},
+             'Arrow keys turn the eye about the object, plus and minus bring it nearer and farther.'));
 
     const groups = new Map();
     for (const {group, id, title} of data.techniques) groups.set(group, [...(groups.get(group) ?? []), [id, title]]);
-    [this.explanation, this.formula, this.source] = [made('p', {}), made('p', {class: 'zv-formula'}), made('p', {class: 'zv-source'})];
+    this.explanation = made('p', {});
+    this.formula = made('p', {class: 'zv-formula'});
+    this.source = made('p', {class: 'zv-source'});
+    const objects = data.meshes.map(({name}) => [name, name.replaceAll('-', ' ')]);
     const inBar = ['compare', 'difference_gain'], others = data.controls.filter((field) => !inBar.includes(field.name));
     const own = others.filter((field) => !field.common).map((field) => control(field));
     this.notices = made('div', {class: 'zv-notices', role: 'alert'});
@@ -30,7 +37,7 @@ class Panel {
         input('technique', selectInput('technique', 'Technique', [...groups], changed)),
         made('div', {class: 'zv-words'}, this.explanation, this.formula, this.source),
         ...own,
-        input('mesh', selectInput('mesh', 'Object', [['', data.meshes.map(({name}) => [name, name.replaceAll('-', ' ')])]], changed)),
+        input('mesh', selectInput('mesh', 'Object', [['', objects]], changed)),
         ...others.filter((field) => field.common).map((field) => control(field)),
         made('details', {}, made('summary', {}, 'Eye'), ...data.camera.map((field) => control(field))),
         made('p', {}, made('button', {type: 'button', onclick: () => changed()}, 'All as at first')),
@@ -52,6 +59,7 @@ class Panel {
     this.formula.textContent = technique.formula;
     this.source.textContent = technique.source;
     this.technique = technique;
+    this.number.classList.add('zv-stale');
     this.describe();
   }
 
@@ -60,17 +68,20 @@ class Panel {
     if (typeof rms === 'string') {
       this.number.textContent = rms;
     } else {
-      const percent = rms === 0 ? '0' : Number((100 * rms).toPrecision(2)).toString();
+      const percent = rms === 0 ? '0' : rms < 1e-5 ? 'under 0.001' : Number((100 * rms).toPrecision(2)).toString();
       this.number.replaceChildren('difference to the exact answer ', made('b', {}, percent + ' %'));
     }
+    this.number.classList.remove('zv-stale');
     this.number.title = 'Root mean square of the difference over that of the exact answer, on the object, in linear light.';
     this.describe();
   }
 
   describe() {
-    const {mesh, compare} = this.settings.values, what = this.data.controls.find((field) => field.name === 'compare').choices[compare];
-    this.canvas.setAttribute('aria-label', `${mesh.replaceAll('-', ' ')} lit by: ${this.technique.title}. Shown: ${what}. ` +
-                                           this.number.textContent + '.');
+    const number = this.number.classList.contains('zv-stale') ? '' : ' ' + this.number.textContent + '.';
+    const {mesh, compare} = this.settings.values;
+    const what = this.data.controls.find((field) => field.name === 'compare').choices[compare];
+    this.canvas.setAttribute('aria-label',
+                             `${mesh.replaceAll('-', ' ')} lit by: ${this.technique.title}. Shown: ${what}.${number}`);
   }
 
   // A message of a kind replaces the last one of that kind; no words take it away.

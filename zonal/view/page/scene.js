@@ -20,6 +20,7 @@ class Scene {
   }
 
   numbers(values, width, height, measure) {
+    const technique = this.data.techniques.find((t) => t.id === values.technique);
     const turn = values.light_yaw_deg * Math.PI / 180, c = Math.cos(turn), s = Math.sin(turn);
     return {
       ...this.light,
@@ -28,13 +29,16 @@ class Scene {
       light_from_world: Float32Array.of(c, -s, 0, s, c, 0, 0, 0, 1),
       split_px: 0.5 * width,
       measure: measure ? 1 : 0,
+      time_s: performance.now() / 1000,
+      marked_lights: technique.marked_lights[Math.round(values.light_count)],
     };
   }
 
   drawMesh(values, numbers) {
     const {gl, data} = this, shaders = data.shaders;
     const technique = data.techniques.find((t) => t.id === values.technique);
-    this.program(technique.id, shaders.mesh_vertex, shaders.shared + shaders.of_technique[technique.id], technique.title)
+    const kind = values.compare === 0 && numbers.measure === 0 ? 'alone' : 'compared';
+    this.program(kind + technique.id, shaders.mesh_vertex, shaders.shared + shaders[kind][technique.id], technique.title)
         .use(numbers, this.textures);
     const mesh = data.meshes.find((m) => m.name === values.mesh);
     if (!this.meshes.has(mesh.name)) this.meshes.set(mesh.name, uploadedMesh(gl, mesh, this.bytes));

@@ -15,8 +15,9 @@ class Settings {
   // Takes what it can of "name=value&name=value" and says what it cannot. What is not named stays.
   read(text) {
     const problems = [];
-    for (const part of text.split('&')) {
+    for (let part of text.split('&')) {
       if (part === '') continue;
+      try { part = decodeURIComponent(part); } catch { /* a bare percent sign: what follows says what is wrong */ }
       const equals = part.indexOf('=');
       const name = equals < 0 ? part : part.slice(0, equals), value = equals < 0 ? '' : part.slice(equals + 1);
       const problem = equals < 0 ? `“${part}” is not a setting: write name=value` : this.take(name, value);
@@ -39,7 +40,8 @@ class Settings {
     if (!(value >= field.least && value <= field.greatest)) {
       return `${name} is ${text}: it goes from ${field.least} to ${field.greatest}.`;
     }
-    if (field.kind && field.kind !== 'slider' && !Number.isInteger(value)) return `${name} is ${text}: it is a whole number.`;
+    const whole = field.kind === 'choice' || field.kind === 'toggle';
+    if (whole && !Number.isInteger(value)) return `${name} is ${text}: it is a whole number.`;
     this.values[name] = value;
     return undefined;
   }
@@ -56,7 +58,7 @@ class Settings {
   text() {
     const parts = ['technique=' + this.values.technique];
     for (const name of this.fields.keys()) {
-      if (name !== 'technique' && this.values[name] !== this.start[name]) parts.push(`${name}=${this.values[name]}`);
+      if (name !== 'technique' && this.values[name] !== this.start[name]) parts.push(`${name}=${encodeURIComponent(this.values[name])}`);
     }
     return parts.join('&');
   }

@@ -1,7 +1,18 @@
 // The page: settings -> picture. Something is drawn only when something changed.
 
 const view = async (root, data) => {
-  const settings = new Settings(data);
+  root.classList.toggle('zv-embedded', data.embedded);
+  const settings = new Settings(data), pace = new Pace();
+  let scene, measure, waiting = 0, idle = 0, tick = 0, busy = false, again = false, refining = false;
+
+  const later = (what) => { clearTimeout(idle); idle = setTimeout(what, 250); };
+  const request = () => { if (scene && !waiting) waiting = requestAnimationFrame(draw); };
+  const update = () => {
+    clearTimeout(idle);
+    refining = false;
+    panel.show();
+    request();
+  };
   const changed = (name, value) => {
     if (name === undefined) settings.reset();
     else settings.set(name, value);
@@ -11,26 +22,16 @@ const view = async (root, data) => {
 
   const readAddress = () => {
     if (data.embedded) return;
-    let text = location.hash.slice(1);
-    try { text = decodeURIComponent(text); } catch { /* a bare percent sign: the fields say what is wrong */ }
     settings.reset();
-    const problems = settings.read(text);
+    const problems = settings.read(location.hash.slice(1));
     panel.notice('address', problems.length === 0 ? '' : 'In the address of this page:\n' + problems.join('\n'));
   };
   const writeAddress = () => {
-    if (!data.embedded && decodeURI(location.hash.slice(1)) !== settings.text()) history.replaceState(null, '', '#' + settings.text());
+    const address = '#' + settings.text();
+    if (!data.embedded && location.hash !== address) history.replaceState(null, '', address);
   };
 
-  const gl = canvas.getContext('webgl2', {alpha: false, antialias: true, powerPreference: 'high-performance'});
-  readAddress();
-  panel.show();
-  if (!gl) {
-    panel.notice('picture', 'This browser gives no WebGL 2: there is no picture. The words and formulas are all here.');
-    return;
-  }
-  const bytes = await unpacked(data.bytes);
-  let scene, measure, waiting = 0, idle = 0;
-
+  const gl = canvas.getContext('webgl2', {alpha: false, antialias: false, powerPreference: 'high-performance'});
   const failed = (error) => {
     if (!(error instanceof LostContext)) panel.notice('picture', String(error.message ?? error));
   };
@@ -42,7 +43,7 @@ const view = async (root, data) => {
       return;
     }
     try {
-      const rms = await measure.difference(scene, settings.values);
+      const rms = await measure.difference(scene, settings.values, panel.technique.slow);
       if (rms !== undefined) panel.difference(rms);
     } catch (error) {
       failed(error);
@@ -51,35 +52,61 @@ const view = async (root, data) => {
   const draw = () => {
     waiting = 0;
     if (gl.isContextLost()) return;
-    const dots = Math.min(2, devicePixelRatio);
-    const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((size) => Math.max(1, Math.round(size * dots)));
+    if (busy) { again = true; return; }
+    const slow = settings.values.compare !== 0 && panel.technique.slow;
+    const [wide, high] = [canvas.clientWidth, canvas.clientHeight].map((size) => size * Math.min(2, devicePixelRatio));
+    const scale = slow ? pace.scale(wide * high, refining ? 600 : 60) : 1;
+    const [width, height] = [wide, high].map((size) => Math.max(1, Math.round(size * scale)));
     if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
+    panel.coarse.hidden = scale === 1;
     try {
       scene.draw(settings.values, width, height);
       panel.notice('picture', '');
     } catch (error) {
       failed(error);
     }
-    clearTimeout(idle);
-    idle = setTimeout(measureNow, 250);
+    clearTimeout(tick);
+    if (panel.technique.moves) tick = setTimeout(request, 1000 - performance.now() % 1000);  // at the next full second
+    if (slow) drawnSlowly(width * height, wide * high);
+    else later(measureNow);
   };
-  const request = () => { if (!waiting) waiting = requestAnimationFrame(draw); };
-  const update = () => { panel.show(); request(); };
+  // A finer picture follows when nothing else is asked for.
+  const drawnSlowly = async (drawn, whole) => {
+    busy = true;
+    await pace.learn(gl, drawn);
+    busy = false;
+    if (again) {
+      again = false;
+      request();
+    } else if (pace.scale(whole, 600) ** 2 * whole > 1.5 * drawn) {
+      later(() => { refining = true; request(); });
+    } else {
+      later(measureNow);
+    }
+  };
   const begin = () => {
     scene = new Scene(gl, data, bytes);
     measure = new Measure(gl);
     request();
   };
 
+  readAddress();
+  panel.show();
+  addEventListener('hashchange', () => { readAddress(); update(); });
+  if (!gl) {
+    panel.notice('picture', 'This browser gives no WebGL 2: there is no picture. The words and formulas are all here.');
+    return;
+  }
+  const bytes = await unpacked(data.bytes);
   canvas.addEventListener('webglcontextlost', (event) => {
     event.preventDefault();
+    measure.forget();
     panel.notice('context', 'The graphics card was taken away from this page. It waits to get it back.');
   });
   canvas.addEventListener('webglcontextrestored', () => {
     panel.notice('context', '');
     begin();
   });
-  addEventListener('hashchange', () => { readAddress(); update(); });
   new ResizeObserver(request).observe(canvas);
   orbitBy(canvas, settings, update, data.embedded);
   begin();
@@ -88,7 +115,7 @@ const view = async (root, data) => {
 const root = document.getElementById('zonal-view');
 const tell = (error) => {
   const message = made('p', {class: 'zv-message', role: 'alert'}, 'The viewer cannot start: ' + String(error.message ?? error));
-  root.prepend(message);
+  (root.querySelector('.zv-notices') ?? root).prepend(message);
 };
 try {
   const data = JSON.parse(document.getElementById('zonal-view-data').textContent);

@@ -1,18 +1,14 @@
-// Up to six bands, each scaled by the clamped cosine and by a window against ringing.
+// Up to six bands, each scaled by the clamped cosine and by a window against ringing. The light is turned by turning the
+// normal the other way, or by turning its coefficients: the same picture.
 vec3 shade(Surface s) {
-  float y[36];
-  sh_basis(in_light(s.normal), y);
-  vec3 sum = vec3(0.0);
+  int row = int(window_strength * float(textureSize(window_table, 0).y - 1) + 0.5), column = 2 * max(window_kind - 1, 0);
+  vec3 low = texelFetch(window_table, ivec2(column, row), 0).rgb, high = texelFetch(window_table, ivec2(column + 1, row), 0).rgb;
+  float weights[6];
   for (int l = 0; l < 6; ++l) {
-    if (l >= int(bands + 0.5)) break;
-    int column = 2 * (window_kind - 1) + l / 3;
-    float factor = cosine_factors[l];
-    if (window_kind > 0) {
-      float row = window_strength * float(textureSize(window_table, 0).y - 1);
-      factor *= texelFetch(window_table, ivec2(column, int(row + 0.5)), 0)[l % 3];
-    }
-    for (int i = l * l; i < (l + 1) * (l + 1); ++i) sum += factor * y[i] * sh[i];
+    float window = window_kind == 0 ? 1.0 : l < 3 ? low[l] : high[l - 3];
+    weights[l] = float(l) + 0.5 < bands ? cosine_factors[l] * window : 0.0;
   }
-  if (tint_negative != 0 && min(sum.r, min(sum.g, sum.b)) < 0.0) return negative_tint;
-  return albedo * sum;
+  bool by_normal = turn_by == 0;
+  vec2 turn = by_normal ? vec2(1.0, 0.0) : vec2(light_from_world[0][0], light_from_world[1][0]);
+  return albedo * tinted(sh_sum(by_normal ? in_light(s.normal) : s.normal, turn, weights));
 }

@@ -15,7 +15,9 @@ void main() {
   s.position = world_position;
   s.normal = normalize(world_normal);
   s.toward_eye = normalize(eye - world_position);
-  if (dot(s.normal, s.toward_eye) < 0.0) s.normal = -s.normal;  // the inside of an open mesh
+  // The inside of an open mesh, judged by the face: at the rim an interpolated normal may lean away from the eye.
+  vec3 face = cross(dFdx(world_position), dFdy(world_position));
+  if (dot(face, s.toward_eye) * dot(face, s.normal) < 0.0) s.normal = -s.normal;
   s.uv = texture_position;
   // By uniforms alone where the technique takes derivatives: neighbours must go the same way.
   bool truth_side = compare == 3 && gl_FragCoord.x > split_px;

@@ -11,8 +11,11 @@ uniform samplerCube ggx_chain;         // perceptual roughness from 0 to 1 over 
 uniform samplerCube phong_chain;       // shininess phong_exponents over the levels
 uniform sampler2D dfg_table;           // n.v across, roughness down: scale and bias of f0
 uniform sampler2D window_table;        // strength down; for Hann, Lanczos, Laplacian: bands 0..2, 3..5
-uniform sampler2D normal_map;          // tangent-space normals, halved and shifted to 0..1
-uniform sampler2D highlight_map;       // a highlight as a sphere map in the eye's frame
+uniform sampler2D bump_map;            // tangent-space normals' x and y, halved and shifted to 0..1; height, 0..1
+uniform sampler2D highlight_map;       // a highlight as a sphere map in the eye's frame, computed
+uniform sampler2D highlight_drawn;     // and drawn
+uniform sampler2D reflection_space;    // tiles of eyes, each an octahedral map over the mirrored direction
+uniform sampler2D homework_table;      // a light set a row, its nine coefficients across
 
 uniform vec3 sh[36];                   // radiance, six bands, l(l+1)+m
 uniform float cosine_factors[6];       // of the clamped cosine over pi
@@ -28,6 +31,12 @@ uniform vec3 light_ambient[4];         // beside no light, one, two, three
 uniform float phong_exponents[8];
 uniform float chain_levels;            // of ggx_chain
 uniform float phong_levels;
+uniform float bump_height;             // of a whole of bump_map's height, in widths of its tile
+uniform float reflection_views;        // tiles along a side of reflection_space
+uniform float reflection_roughness;
+uniform float homework_scale;          // f_scale: as bright as the panorama
+uniform float time_s;                  // since the viewer was opened, for what moves by itself
+uniform int marked_lights;             // so many of the extracted lights are marked in the background
 
 uniform mat3 light_from_world;
 uniform vec3 eye;

@@ -1,0 +1,209 @@
+#include "apps/viewer/live_light.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "zonal/base/check.h"
+#include "zonal/light/convolve.h"
+#include "zonal/light/orient.h"
+#include "zonal/light/project.h"
+#include "zonal/light/resample.h"
+#include "zonal/view/shader_source.h"
+#include "zonal/view/view_pictures.h"
+#include "zonal/view/view_uniforms.h"
+
+namespace zonal {
+namespace {
+
+constexpr Projection kStack = {Layout::kCubeStack};
+constexpr int kGlossyPx = 64, kMattePx = 32;  // faces
+constexpr int kBands = 128;                   // of a filtered map while the hand moves; sharper lobes are widened
+
+/// Pictures in the eye's frame, which know of the light's mean alone.
+constexpr std::array<std::string_view, 2> kTurnless = {"highlight_map", "highlight_drawn"};
+/// What live_light() makes, beside all that add_light_uniforms() does.
+constexpr std::array<std::string_view, 10> kMade = {
+    "environment", "environment_small", "environment_mips", "environment_cube", "irradiance_map",
+    "ggx_chain",   "chain_levels",      "phong_chain",      "phong_levels",     "phong_exponents"};
+
+template <class List>
+bool holds(const List& list, std::string_view name) {
+  return std::ranges::find(list, name) != std::end(list);
+}
+
+double ms_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+const ViewTexture& texture_named(const ViewData& data, std::string_view name) {
+  const auto found = std::ranges::find(data.textures, name, &ViewTexture::name);
+  check(found != data.textures.end(), "the data of a view has this texture");
+  return *found;
+}
+
+/// A drawing of the panorama with the texture's other properties as they were.
+void add_texture(LiveLight& live, const ViewData& whole, std::string_view name, std::vector<Image<Rgb>> levels) {
+  ViewTexture texture;
+  const ViewTexture& old = texture_named(whole, name);
+  texture.name = old.name, texture.shape = old.shape, texture.table = old.table;
+  texture.repeats_x = old.repeats_x, texture.repeats_y = old.repeats_y;
+  texture.levels = std::move(levels);
+  live.data.textures.push_back(std::move(texture));
+}
+
+/// Names in a piece of shader text.
+std::set<std::string> names_in(const std::string& text) {
+  static const std::regex kName("[A-Za-z_][A-Za-z_0-9]*");
+  std::set<std::string> names;
+  for (auto it = std::sregex_iterator(text.begin(), text.end(), kName); it != std::sregex_iterator(); ++it) {
+    names.insert(it->str());
+  }
+  return names;
+}
+
+/// The functions of a shader by their names, with their text.
+std::map<std::string, std::string> functions_of(const std::string& shader) {
+  static const std::regex kComment("//[^\n]*"), kHead("([A-Za-z_][A-Za-z_0-9]*)\\s*\\([^()]*\\)\\s*$");
+  const std::string code = std::regex_replace(shader, kComment, "");
+  std::map<std::string, std::string> functions;
+  std::size_t start = 0;  // of what stands outside of all braces
+  for (std::size_t open; (open = code.find('{', start)) != std::string::npos;) {
+    std::size_t end = open + 1;
+    for (int depth = 1; depth > 0 && end < code.size(); ++end)
+      depth += code[end] == '{' ? 1 : code[end] == '}' ? -1 : 0;
+    const std::size_t head = std::min(open, code.find_last_of(";}", open) + 1);
+    const std::string before = code.substr(std::max(start, head), open - std::max(start, head));
+    std::smatch found;
+    if (std::regex_search(before, found, kHead)) functions[found[1]] += code.substr(open, end - open);
+    start = end;
+  }
+  return functions;
+}
+
+/// Adds all names in what main() calls, directly or not: helpers that are there for other techniques do not count.
+void add_reached(const std::string& shader, std::set<std::string>& reached) {
+  const std::map<std::string, std::string> functions = functions_of(shader);
+  std::set<std::string> called;
+  std::vector<std::string> waiting = {"main"};
+  while (!waiting.empty()) {
+    const auto function = functions.find(waiting.back());
+    waiting.pop_back();
+    if (function == functions.end()) continue;
+    for (const std::string& name : names_in(function->second)) {
+      if (called.insert(name).second) waiting.push_back(name);
+    }
+  }
+  reached.merge(called);
+}
+
+/// What turns with the light and the shader of this technique looks up.
+void add_pictures(LiveLight& live, const ViewData& whole, const std::vector<std::string>& used,
+                  const Environment& turned, const Run& run) {
+  const auto rows = [&](std::string_view name) { return texture_named(whole, name).levels[0].height(); };
+  if (holds(used, "environment_small")) {
+    add_texture(live, whole, "environment_small",
+                {resample(turned, turned.projection, rows("environment_small"), {}, run).radiance});
+  }
+  if (holds(used, "environment_mips")) {
+    add_texture(live, whole, "environment_mips", halved_pictures(turned.radiance));
+  }
+  if (holds(used, "environment_cube")) {
+    add_texture(live, whole, "environment_cube",
+                {resample(turned, kStack, rows("environment_cube") / 6, {}, run).radiance});
+  }
+}
+
+/// The glossy map for the roughness of the slider always: that is what is timed; the others where they are looked up.
+void add_filtered(LiveLight& live, const ViewData& whole, const std::vector<std::string>& used, const ViewState& state,
+                  const Environment& turned, const Run& run) {
+  constexpr double kSmoothest = 0.05;
+  std::vector<Lobe> lobes = {lobe_for_roughness(LobeKind::kGgx, std::max(kSmoothest, state.value("roughness")))};
+  const bool matte = holds(used, "irradiance_map"), phong = holds(used, "phong_chain");
+  const double shininess = state.value("shininess");
+  if (matte) lobes.push_back(Lobe::cosine());
+  if (phong) lobes.push_back(Lobe::phong(shininess));
+  const Convolution convolution(turned, lobes, {.max_bands = kBands}, run);
+  int next = 0;
+  const auto rendered = [&](int face_px) {
+    return convolution.render(next++, kStack, image_size(Layout::kCubeStack, face_px), run).map.radiance;
+  };
+  add_texture(live, whole, "ggx_chain", {rendered(kGlossyPx)});
+  add_uniform(live.data, "chain_levels", std::vector<double>{1});
+  if (matte) {
+    Image<Rgb> irradiance = rendered(kMattePx);
+    for (Rgb& value : irradiance.values()) value = static_cast<float>(kPi) * value;
+    add_texture(live, whole, "irradiance_map", {std::move(irradiance)});
+  }
+  if (phong) {
+    add_texture(live, whole, "phong_chain", {rendered(kGlossyPx)});
+    add_uniform(live.data, "phong_levels", std::vector<double>{1});
+    add_uniform(live.data, "phong_exponents", std::vector<double>(8, shininess));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> names_used(const Technique& technique, const ViewData& data) {
+  std::set<std::string> reached;
+  add_reached(technique_fragment_shader(ShaderHome::kDesktop, technique), reached);
+  add_reached(background_fragment_shader(ShaderHome::kDesktop), reached);
+  std::vector<std::string> used;
+  for (const ViewTexture& texture : data.textures) {
+    if (reached.contains(texture.name)) used.push_back(texture.name);
+  }
+  for (const ViewUniform& uniform : data.uniforms) {
+    if (reached.contains(uniform.name)) used.push_back(uniform.name);
+  }
+  return used;
+}
+
+bool can_be_live(const std::vector<std::string>& used, const ViewData& whole) {
+  return std::ranges::all_of(whole.textures, [&](const ViewTexture& texture) {
+    return texture.table || holds(kMade, texture.name) || holds(kTurnless, texture.name) || !holds(used, texture.name);
+  });
+}
+
+LiveLight live_light(const ViewData& whole, const std::vector<std::string>& used, const ViewState& state,
+                     const Run& run) {
+  LiveLight live;
+  live.data.exposure_ev = whole.exposure_ev;
+  live.yaw_deg = state.value("light_yaw_deg");
+
+  auto start = std::chrono::steady_clock::now();
+  const Environment panorama = {texture_named(whole, "environment").levels[0], {Layout::kEquirect}};
+  const Environment turned = resample(panorama, panorama.projection, panorama.radiance.height(),
+                                      {.world_from_source = zonal::turned(live.yaw_deg)}, run);
+  add_pictures(live, whole, used, turned, run);
+  live.times.turn = ms_since(start);
+
+  start = std::chrono::steady_clock::now();
+  const Sh<RgbD> radiance = project(turned, 6, run);
+  live.times.project = ms_since(start);
+
+  start = std::chrono::steady_clock::now();
+  add_light_uniforms(live.data, radiance);
+  live.times.derive = ms_since(start);
+
+  start = std::chrono::steady_clock::now();
+  add_filtered(live, whole, used, state, turned, run);
+  live.times.filter = ms_since(start);
+
+  add_texture(live, whole, "environment", {turned.radiance});
+  for (const ViewTexture& texture : whole.textures) {
+    const bool kept = texture.table || holds(kTurnless, texture.name);
+    if (kept && holds(used, texture.name)) live.data.textures.push_back(texture);
+  }
+  for (const ViewUniform& uniform : whole.uniforms) {
+    const bool made =
+        std::ranges::find(live.data.uniforms, uniform.name, &ViewUniform::name) != live.data.uniforms.end();
+    if (!made) live.data.uniforms.push_back(uniform);
+  }
+  return live;
+}
+
+}  // namespace zonal

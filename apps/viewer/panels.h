@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "apps/viewer/viewer.h"
+
+namespace zonal {
+
+// The parts of the window beside the picture. They draw what the viewer knows and call its verbs; what they keep
+// themselves is what a person is typing.
+
+/// What has no place in the viewer.
+struct PanelState {
+  std::string light_path, mesh_path, screenshot_path = "zonal-view.png", settings;
+  bool settings_are_typed = false;
+};
+
+/// All techniques in their chapters, and what the chosen one is.
+void draw_technique_panel(Viewer&);
+/// Sliders, lists and marks as the table of controls has them: the common ones, those of the technique.
+void draw_control_panel(Viewer&);
+/// The light and the object: names, files, turning, how long a turn takes.
+void draw_light_panel(Viewer&, PanelState&);
+/// The difference to the exact answer, time of drawing, screenshot, settings.
+void draw_picture_panel(Viewer&, PanelState&);
+/// Progress with a way to stop it, and messages, over the picture.
+void draw_notices(Viewer&, float left, float top, float width);
+
+}  // namespace zonal

@@ -1,0 +1,299 @@
+#include "apps/viewer/viewer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "apps/viewer/orbit_input.h"
+#include "zonal/base/error.h"
+#include "zonal/io/environment_file.h"
+#include "zonal/io/file.h"
+#include "zonal/io/png.h"
+
+namespace zonal {
+namespace {
+
+constexpr double kFrameMs = 40;           // of drawing, so that with the panels there are about 20 frames a second
+constexpr std::size_t kMostMessages = 6;  // more would hide the picture
+
+std::string file_names(const std::vector<std::filesystem::path>& paths) {
+  std::string names = paths[0].filename().string();
+  if (paths.size() > 1) names += fmt::format(" and {} more", paths.size() - 1);
+  return names;
+}
+
+}  // namespace
+
+bool is_mesh_path(const std::filesystem::path& path) {
+  std::string end = path.extension().string();
+  std::ranges::transform(end, end.begin(), [](char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c); });
+  return end == ".obj" || end == ".ply" || end == ".gltf" || end == ".glb";
+}
+
+Viewer::Viewer(ViewerOptions options, std::function<void()> wake)
+    : state_(std::move(options.state)),
+      mesh_options_(options.mesh),
+      exposure_is_given_(state_.controls.contains("exposure_ev")),
+      light_work_(wake),
+      mesh_work_(wake),
+      live_work_(wake) {
+  open_mesh(state_.mesh);
+  open_light(std::move(options.light_name), std::move(options.light));
+}
+
+bool Viewer::guarded(const std::function<void()>& act) {
+  try {
+    act();
+    return true;
+  } catch (const Error& e) {
+    say({e.what(), e.hint()});
+  } catch (const std::exception& e) {
+    say({fmt::format("this is an error of the program: {}", e.what()), "please report it with what you did"});
+  }
+  return false;
+}
+
+void Viewer::stale(bool other_cost) {
+  picture_.invalidate(other_cost);
+  difference_.reset();
+  difference_failed_ = false;
+}
+
+void Viewer::set_technique(const Technique& technique) {
+  if (state_.technique == &technique) return;
+  state_.technique = &technique;
+  find_used();
+  if (live_) {  // its data are those that the other technique looks at
+    live_.reset();
+    upload_light();
+  }
+  stale(true);
+}
+
+void Viewer::set_control(std::string_view name, double value) {
+  if (state_.value(name) == value) return;
+  if (!guarded([&] { state_.set(name, value); })) return;
+  if (name == "exposure_ev") exposure_is_given_ = true;
+  stale(name == "compare");
+}
+
+void Viewer::set_camera(const OrbitCamera& camera) {
+  state_.camera = camera;
+  stale();
+}
+
+void Viewer::set_time(double seconds) {
+  // What moves does so once a second: a new picture for the same second would be the old one.
+  const bool another = std::floor(seconds) != std::floor(state_.time_s);
+  state_.time_s = seconds;
+  if (another && state_.technique->moves) stale();
+}
+
+void Viewer::set_settings(const std::string& text) {
+  guarded([&] {
+    ViewState state = parse_state(text);
+    const Technique& technique = *state.technique;
+    if (state.mesh != state_.mesh) open_mesh(state.mesh);
+    state.technique = state_.technique;
+    state.mesh = state_.mesh;
+    exposure_is_given_ = state.controls.contains("exposure_ev");
+    state_ = std::move(state);
+    set_technique(technique);
+    stale(true);
+  });
+}
+
+void Viewer::open(const std::vector<std::filesystem::path>& paths) {
+  std::vector<std::filesystem::path> pictures;
+  for (const std::filesystem::path& path : paths) {
+    if (is_mesh_path(path)) {
+      open_mesh(path.string());
+    } else {
+      pictures.push_back(path);
+    }
+  }
+  if (pictures.empty()) return;
+  open_light(file_names(pictures), [pictures](const Run& run) {
+    return pictures.size() == 1 ? load_environment(pictures[0], {}, run).environment
+                                : load_environment(pictures, {}, run).environment;
+  });
+}
+
+void Viewer::open_light(std::string name, LightLoader loader) {
+  light_work_.replace("light: " + name, [this, name, loader = std::move(loader)](const Run& run) {
+    run.progress("reading", 0);
+    auto data = std::make_shared<const ViewData>(view_data(loader(run), {}, run));
+    return [this, name, data] { use_light(data, name); };
+  });
+}
+
+void Viewer::open_mesh(const std::string& shape_or_file) {
+  mesh_work_.replace("mesh: " + std::filesystem::path(shape_or_file).filename().string(),
+                     [this, shape_or_file, options = mesh_options_](const Run& run) {
+                       auto loaded = std::make_shared<const LoadedMesh>(mesh_of(shape_or_file, options, run));
+                       return [this, shape_or_file, loaded] {
+                         scene_.set_mesh(loaded->mesh);
+                         has_mesh_ = true;
+                         state_.mesh = shape_or_file;
+                         mesh_name_ =
+                             fmt::format("{}, {} triangles", std::filesystem::path(shape_or_file).filename().string(),
+                                         loaded->mesh.indices.size() / 3);
+                         for (const std::string& note : loaded->notes) say({note, {}, false});
+                         stale(true);
+                       };
+                     });
+}
+
+void Viewer::set_mesh_up(MeshUp up) {
+  mesh_options_.up = up;
+  if (has_mesh_) open_mesh(state_.mesh);
+}
+
+void Viewer::use_light(std::shared_ptr<const ViewData> data, std::string name) {
+  light_ = std::move(data);
+  live_.reset();
+  light_name_ = std::move(name);
+  if (!exposure_is_given_) {
+    const Control& exposure = control_named("exposure_ev");
+    state_.set("exposure_ev", std::clamp(std::round(4 * light_->exposure_ev) / 4, exposure.least, exposure.greatest));
+  }
+  find_used();
+  upload_light();
+}
+
+void Viewer::use_live(std::shared_ptr<const LiveLight> live) {
+  live_ = std::move(live);
+  upload_light();
+}
+
+void Viewer::upload_light() {
+  if (light_) scene_.set_light(live_ ? live_->data : *light_);
+  stale();
+}
+
+void Viewer::find_used() {
+  if (!light_) return;
+  used_ = names_used(*state_.technique, *light_);
+  live_possible_ = can_be_live(used_, *light_);
+}
+
+void Viewer::drag_light(double yaw_deg) {
+  set_control("light_yaw_deg", yaw_deg);
+  dragging_light_ = true;
+  if (!light_) return;
+  // Timed for every technique, shown where the technique looks at nothing else.
+  live_work_.follow("turning the light",
+                    [this, whole = light_, used = used_, fits = live_possible_, state = state_](const Run& run) {
+                      auto live = std::make_shared<const LiveLight>(live_light(*whole, used, state, run));
+                      return [this, whole, live, fits, technique = state.technique] {
+                        live_times_ = live->times;
+                        ++live_turns_;
+                        if (fits && dragging_light_ && whole == light_ && technique == state_.technique) use_live(live);
+                      };
+                    });
+}
+
+void Viewer::release_light() {
+  dragging_light_ = false;
+  if (!live_) return;
+  live_.reset();
+  upload_light();
+}
+
+void Viewer::save_screenshot(std::filesystem::path path) { screenshot_ = std::move(path); }
+
+std::vector<WorkProgress> Viewer::progress() const {
+  std::vector<WorkProgress> all;
+  for (const BackgroundWork* work : {&light_work_, &mesh_work_}) {
+    if (std::optional<WorkProgress> progress = work->progress()) all.push_back(std::move(*progress));
+  }
+  return all;
+}
+
+void Viewer::cancel() {
+  light_work_.cancel();
+  mesh_work_.cancel();
+}
+
+void Viewer::say(ViewerMessage message) {
+  const auto same = [&](const ViewerMessage& old) { return old.text == message.text; };
+  std::erase_if(messages_, same);
+  messages_.push_back(std::move(message));
+  while (messages_.size() > kMostMessages) messages_.pop_front();
+}
+
+void Viewer::collect(BackgroundWork& work) {
+  const std::optional<WorkResult> result = work.collect();
+  if (!result) return;
+  if (result->deliver) {
+    guarded(result->deliver);
+  } else {
+    say({result->title + ": " + (result->cancelled ? "cancelled" : result->message), result->hint, !result->cancelled});
+  }
+}
+
+ViewState Viewer::drawn_state() const {
+  ViewState state = state_;
+  if (live_) state.set("light_yaw_deg", wrapped_deg(state_.value("light_yaw_deg") - live_->yaw_deg));
+  return state;
+}
+
+void Viewer::draw(ImageSize size) {
+  const bool drawn = guarded([&] { picture_.advance(scene_, drawn_state(), size, kFrameMs); });
+  const Technique* technique = state_.technique;
+  if (drawn) {
+    last_drawn_ = technique;
+  } else if (last_drawn_ != nullptr && last_drawn_ != technique) {
+    set_technique(*last_drawn_);
+  }
+}
+
+/// Small first, for a sum over the panorama at each pixel takes its time; as finely as a frame's time allows.
+void Viewer::measure() {
+  constexpr ImageSize kSmall = {48, 27}, kFine = {320, 180};
+  constexpr double kTimes = 320 * 180 / (48.0 * 27);
+  difference_failed_ = !guarded([&] {
+    const auto start = std::chrono::steady_clock::now();
+    difference_ = scene_.difference(drawn_state(), kSmall.width, kSmall.height);
+    const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    if (kTimes * ms < 10 * kFrameMs) difference_ = scene_.difference(drawn_state(), kFine.width, kFine.height);
+  });
+}
+
+void Viewer::write_screenshot() {
+  const std::filesystem::path path = std::exchange(screenshot_, {});
+  guarded([&] {
+    const std::vector<std::byte> png = encode_png(picture_.read());
+    write_file(path, png);
+    say({fmt::format("wrote {}", path.string()), {}, false});
+  });
+}
+
+bool Viewer::advance(ImageSize size) {
+  collect(light_work_);
+  collect(mesh_work_);
+  collect(live_work_);
+  if (!light_ || !has_mesh_) return false;
+  const bool was_done = picture_.done() && size == picture_.size();
+  if (!was_done) draw(size);
+  if (!picture_.done()) return true;
+  if (!screenshot_.empty()) {
+    write_screenshot();
+    return true;
+  }
+  // In a frame of its own, when nobody waits for one.
+  if (was_done && !difference_ && !difference_failed_ && !dragging_light_) {
+    measure();
+    return true;
+  }
+  return !was_done || (!difference_ && !difference_failed_ && !dragging_light_);
+}
+
+bool Viewer::idle() const {
+  const bool works = light_work_.busy() || mesh_work_.busy() || live_work_.busy();
+  return !works && light_ && has_mesh_ && picture_.done() && (difference_ || difference_failed_);
+}
+
+}  // namespace zonal

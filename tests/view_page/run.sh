@@ -1,0 +1,31 @@
+#!/bin/sh
+# run.sh ZONAL WORK: writes the viewer's page, draws each technique on the desktop path from the same maps, and lets a real
+# browser compare, click and type. Exit code 77 (skipped) where Chromium, node, npm or the package cannot be had.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+zonal=$1
+work=$2
+browser=$(command -v chromium || command -v chromium-browser || true)
+[ -n "$browser" ] || { echo "skipped: no chromium"; exit 77; }
+for program in node npm; do
+  command -v $program >/dev/null || { echo "skipped: no $program"; exit 77; }
+done
+mkdir -p "$work"
+cp "$here/package.json" "$here/package-lock.json" "$here"/*.mjs "$work"
+cd "$work"
+if [ ! -d node_modules/playwright-core ]; then
+  npm ci --ignore-scripts --no-audit --no-fund >npm.log 2>&1 || { echo "skipped: npm ci failed, see $work/npm.log"; exit 77; }
+fi
+# Light without symmetry, so that a mirrored or turned lookup shows.
+"$zonal" testcard --size 256 -o sky.exr --quiet
+"$zonal" view sky.exr --html page.html --quiet 2>log || { cat log; exit 1; }
+# A small sun makes few bands ring below zero.
+"$zonal" sky sun --contrast 1000000 --diameter 4 --azimuth 0 --elevation 30 --size 256 -o sun.exr --quiet
+"$zonal" view sun.exr --html sun.html --quiet 2>log || { cat log; exit 1; }
+rm -rf desktop
+mkdir desktop
+node states.mjs | while read -r name size state; do
+  "$zonal" view sky.exr --html again.html --set "$state" --size "$size" --screenshot "desktop/$name.png" --quiet >"desktop/$name.txt" 2>log ||
+    { cat log; break; }
+done
+node check.mjs "$browser" page.html desktop

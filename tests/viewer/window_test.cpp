@@ -1,0 +1,346 @@
+// The window itself, driven through what its events call. Exit code 77 (skipped) where none can be opened.
+// Usage: viewer_window_test [--gtest...] [FOLDER for pictures of the window]
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+#include <memory>
+#include <thread>
+
+#include "apps/viewer/viewer_window.h"
+#include "zonal/base/error.h"
+#include "zonal/io/file.h"
+#include "zonal/io/picture.h"
+#include "zonal/io/png.h"
+#include "zonal/light/synthetic.h"
+
+namespace zonal {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using namespace std::chrono_literals;
+
+constexpr int kLeft = 0, kRight = 1;
+constexpr int kRightArrow = 262;  // as GLFW numbers keys
+
+std::unique_ptr<ViewerWindow> the_window;
+std::filesystem::path picture_folder;
+
+Environment small_sky(const Run& run) {
+  return daylight_sky({Layout::kEquirect}, image_size(Layout::kEquirect, 128), {}, run);
+}
+
+class ViewerWindowTest : public testing::Test {
+ protected:
+  ViewerWindowTest() {
+    folder_ = std::filesystem::temp_directory_path() / fmt::format("zonal_window_{}", static_cast<const void*>(this));
+    std::filesystem::create_directories(folder_);
+    EXPECT_TRUE(frames_until([&] { return viewer().idle(); })) << "the window does not come to rest";
+    viewer().dismiss_messages();
+  }
+  ~ViewerWindowTest() override {
+    viewer().dismiss_messages();
+    std::filesystem::remove_all(folder_);
+  }
+
+  static ViewerWindow& window() { return *the_window; }
+  static Viewer& viewer() { return the_window->viewer(); }
+
+  /// Draws frames, as the window's own loop does; false when it takes more than a minute.
+  template <class Condition>
+  static bool frames_until(Condition reached) {
+    const auto patience = Clock::now() + 60s;
+    while (!reached()) {
+      if (Clock::now() > patience) return false;
+      window().window().wait(0.005);
+      window().frame();
+    }
+    return true;
+  }
+  static Image<Rgb8> rest() {
+    EXPECT_TRUE(frames_until([&] { return viewer().idle(); }));
+    return viewer().picture().read();
+  }
+  std::filesystem::path write(const std::string& name, const std::string& content) const {
+    std::ofstream(folder_ / name, std::ios::binary) << content;
+    return folder_ / name;
+  }
+  /// Whether a message with this in it came.
+  static bool is_told(const std::string& part) {
+    for (const ViewerMessage& message : viewer().messages()) {
+      if (message.text.find(part) != std::string::npos) return true;
+    }
+    return false;
+  }
+  /// The share of pixels that differ.
+  static double changed(const Image<Rgb8>& a, const Image<Rgb8>& b) {
+    EXPECT_EQ(a.size(), b.size());
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) count += !(a.values()[i] == b.values()[i]);
+    return static_cast<double>(count) / static_cast<double>(a.size());
+  }
+  /// Of 8-bit channels.
+  static double mean_difference(const Image<Rgb8>& a, const Image<Rgb8>& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      const Rgb8 &p = a.values()[i], &q = b.values()[i];
+      sum += std::abs(p.r - q.r) + std::abs(p.g - q.g) + std::abs(p.b - q.b);
+    }
+    return sum / (3.0 * static_cast<double>(a.size()));
+  }
+  /// What is on the screen, panels and all, for a person to look at.
+  static void keep_window(const std::string& name) {
+    if (picture_folder.empty()) return;
+    for (int i = 0; i < 3; ++i) window().frame();  // panels settle
+    window().draw_frame();
+    const ImageSize size = window().window().framebuffer_size();
+    Image<Rgb8> screen(size.width, size.height), upright(size.width, size.height);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, size.width, size.height, GL_RGB, GL_UNSIGNED_BYTE, screen.values().data());
+    for (int y = 0; y < size.height; ++y) std::ranges::copy(screen.row(size.height - 1 - y), upright.row(y).begin());
+    write_file(picture_folder / (name + ".png"), encode_png(upright));
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(ViewerWindowTest, ShowsAnObjectAndItsDifference) {
+  const Image<Rgb8> picture = rest();
+  EXPECT_GT(picture.width(), 500);
+  ASSERT_TRUE(viewer().difference());
+  EXPECT_GT(viewer().difference()->pixels, 1000);
+  EXPECT_GT(viewer().difference()->rms, 0);
+  EXPECT_TRUE(viewer().messages().empty());
+  Image<Rgb8> plain(picture.width(), picture.height(), picture(0, 0));
+  EXPECT_GT(changed(picture, plain), 0.5);
+  keep_window("window");
+}
+
+TEST_F(ViewerWindowTest, OpensWhatIsDropped) {
+  const Image<Rgb8> before = rest();
+  const Environment card = testcard({Layout::kEquirect}, image_size(Layout::kEquirect, 64));
+  save_picture(card.radiance, folder_ / "card.hdr");
+  window().dropped({folder_ / "card.hdr"});
+  ASSERT_TRUE(frames_until([&] { return viewer().light_name() == "card.hdr"; }));
+  const Image<Rgb8> lit = rest();
+  EXPECT_GT(changed(before, lit), 0.5);
+
+  window().dropped({write("tent.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nv 0 1 0\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")});
+  ASSERT_TRUE(frames_until([&] { return viewer().mesh_name() == "tent.obj, 4 triangles"; }));
+  EXPECT_GT(changed(lit, rest()), 0.02);
+  EXPECT_TRUE(is_told("Y axis")) << "what was assumed is said";
+
+  viewer().open_mesh("sphere");
+  viewer().open_light("sky", small_sky);
+  EXPECT_TRUE(
+      frames_until([&] { return viewer().light_name() == "sky" && viewer().mesh_name().starts_with("sphere"); }));
+}
+
+TEST_F(ViewerWindowTest, WhatIsBrokenIsAMessage) {
+  const Image<Rgb8> before = rest();
+  window().dropped(
+      {write("broken.ply", "ply\nformat ascii 1.0\nelement vertex 9999999999\nproperty float x\nend_header\n")});
+  EXPECT_TRUE(frames_until([&] { return is_told("broken.ply: it ends early"); }));
+  keep_window("broken_mesh");
+  Environment bad = small_sky({});
+  bad.radiance(5, 5).g = std::numeric_limits<float>::quiet_NaN();
+  save_picture(bad.radiance, folder_ / "bad.pfm");
+  window().dropped({folder_ / "bad.pfm"});
+  EXPECT_TRUE(frames_until([&] { return is_told("bad.pfm"); }));
+  window().dropped({write("text.hdr", "no picture")});
+  EXPECT_TRUE(frames_until([&] { return is_told("text.hdr"); }));
+  window().dropped({folder_ / "nothing.glb"});
+  EXPECT_TRUE(frames_until([&] { return is_told("nothing.glb"); }));
+  viewer().set_settings("roughness=7");
+  EXPECT_TRUE(is_told("roughness is 7"));
+  viewer().set_settings("shiny=1");
+  EXPECT_TRUE(is_told("shiny"));
+  EXPECT_EQ(changed(before, rest()), 0) << "and what was there is still there";
+}
+
+TEST_F(ViewerWindowTest, HandAndKeysMoveTheEye) {
+  const Image<Rgb8> before = rest();
+  const OrbitCamera camera = viewer().state().camera;
+  window().pointer_moved(800, 400);
+  window().button(kLeft, true);
+  window().pointer_moved(900, 440);
+  window().button(kLeft, false);
+  window().pointer_moved(300, 300);  // not held any more
+  EXPECT_LT(viewer().state().camera.yaw_deg, camera.yaw_deg);
+  EXPECT_GT(viewer().state().camera.pitch_deg, camera.pitch_deg);
+  const Image<Rgb8> turned = rest();
+  EXPECT_GT(changed(before, turned), 0.2);
+  window().scrolled(3);
+  EXPECT_LT(viewer().state().camera.distance, camera.distance);
+  const Image<Rgb8> nearer = rest();
+  EXPECT_GT(changed(turned, nearer), 0.1);
+  window().key(kRightArrow, true);
+  EXPECT_GT(changed(nearer, rest()), 0.02) << "an eye that is near sees few texels of the sky";
+  viewer().set_camera(camera);
+  EXPECT_EQ(changed(before, rest()), 0);
+}
+
+TEST_F(ViewerWindowTest, TheLightTurnsWhileItIsDragged) {
+  for (const char* id : {"split-sum", "sh-bands"}) {
+    viewer().set_technique(*technique_named(id));
+    const Image<Rgb8> before = rest();
+    const int turns = viewer().live_turns();
+    const auto start = Clock::now();
+    window().pointer_moved(800, 400);
+    window().button(kRight, true);
+    double x = 800;
+    int frames = 0;
+    EXPECT_TRUE(frames_until([&] {
+      window().pointer_moved(x += 2, 400);
+      ++frames;
+      return viewer().live_turns() >= turns + 10;
+    }));
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    ASSERT_TRUE(viewer().live_times());
+    const LiveTimes times = *viewer().live_times();
+    EXPECT_GT(times.turn, 0);
+    EXPECT_GT(times.project, 0);
+    EXPECT_GT(times.filter, 0);
+    fmt::print("{}: turned anew in {:.1f} ms (pixels {:.1f}, harmonics {:.1f}, lights {:.1f}, maps {:.1f}); ", id,
+               times.all(), times.turn, times.project, times.derive, times.filter);
+    fmt::print("{:.1f} turns and {:.1f} frames a second\n", 10 / seconds, frames / seconds);
+    keep_window(std::string("dragged_") + id);
+    EXPECT_TRUE(viewer().is_live_possible());
+    const int last = viewer().live_turns();
+    window().pointer_moved(x += 2, 400);
+    EXPECT_TRUE(frames_until([&] { return viewer().live_turns() > last + 1 || !viewer().is_turning(); }));
+    EXPECT_TRUE(frames_until([&] { return viewer().picture().done(); }));
+    const Image<Rgb8> anew = viewer().picture().read();
+    window().button(kRight, false);
+    EXPECT_LT(viewer().state().value("light_yaw_deg"), 0);
+    const Image<Rgb8> looked_up = rest();
+    EXPECT_GT(changed(before, looked_up), 0.3);
+    // Maps of another size, sampled at other places; a sun's edge moves within its texel. But the same picture.
+    EXPECT_LT(mean_difference(anew, looked_up), 2);
+    EXPECT_GT(mean_difference(before, looked_up), 0.02) << "or nothing would have been compared";
+    viewer().set_control("light_yaw_deg", 0);
+    EXPECT_EQ(changed(before, rest()), 0);
+  }
+}
+
+TEST_F(ViewerWindowTest, AScreenshotIsThePicture) {
+  const Image<Rgb8> shown = rest();
+  viewer().save_screenshot(folder_ / "shot.png");
+  ASSERT_TRUE(frames_until([&] { return is_told("shot.png"); }));
+  const Picture written = load_picture(folder_ / "shot.png", {.encoding = Encoding::kLinear});
+  ASSERT_EQ(written.pixels.width(), shown.width());
+  ASSERT_EQ(written.pixels.height(), shown.height());
+  std::size_t same = 0;
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const Rgb w = written.pixels.values()[i];
+    const Rgb8 s = shown.values()[i];
+    same += std::lround(255 * w.r) == s.r && std::lround(255 * w.g) == s.g && std::lround(255 * w.b) == s.b;
+  }
+  EXPECT_EQ(same, shown.size());
+  viewer().save_screenshot(folder_ / "no folder" / "shot.png");
+  EXPECT_TRUE(frames_until([&] { return is_told("no folder"); })) << "a failure is a message";
+}
+
+TEST_F(ViewerWindowTest, LongWorkCanBeWatchedCancelledAndReplaced) {
+  const Image<Rgb8> before = rest();
+  const auto endless = [](const zonal::Run& run) -> Environment {
+    for (double done = 0; !run.stop.stop_requested(); done = std::min(0.9, done + 0.01)) {
+      run.progress("waiting", done);
+      std::this_thread::sleep_for(2ms);
+    }
+    throw Error(ErrorKind::kCancelled, "cancelled");
+  };
+  viewer().open_light("endless", endless);
+  int frames = 0;
+  EXPECT_TRUE(frames_until([&] {
+    ++frames;
+    return !viewer().progress().empty() && viewer().progress()[0].fraction > 0.2;
+  }));
+  EXPECT_GT(frames, 2) << "the window lives meanwhile";
+  keep_window("progress");
+  viewer().cancel();
+  EXPECT_TRUE(frames_until([&] { return is_told("endless: cancelled"); }));
+  EXPECT_EQ(changed(before, rest()), 0);
+
+  viewer().open_light("endless", endless);
+  EXPECT_TRUE(frames_until([&] { return !viewer().progress().empty(); }));
+  viewer().open_light("newer", small_sky);
+  EXPECT_TRUE(frames_until([&] { return viewer().light_name() == "newer"; }));
+}
+
+TEST_F(ViewerWindowTest, AShaderThatTheDriverRefusesIsAMessage) {
+  viewer().set_technique(all_techniques()[0]);
+  const Image<Rgb8> before = rest();
+  // With the background's body it has two main functions.
+  static const Technique kBroken = {
+      .id = "background", .title = "Broken", .group = "", .explanation = "", .formula = "", .source = ""};
+  viewer().set_technique(kBroken);
+  EXPECT_TRUE(frames_until([&] { return is_told("refuses the shaders of 'Broken'"); }));
+  EXPECT_EQ(viewer().state().technique, &all_techniques()[0]) << "back to the last one that could be drawn";
+  EXPECT_EQ(changed(before, rest()), 0);
+}
+
+TEST_F(ViewerWindowTest, EveryTechniqueIsDrawnAndMeasured) {
+  int drawn = 0;
+  for (const Technique& technique : all_techniques()) {
+    viewer().set_technique(technique);
+    rest();
+    viewer().set_camera(viewer().state().camera);  // once more: the driver has its program now
+    rest();
+    EXPECT_TRUE(viewer().difference()) << technique.id;
+    EXPECT_TRUE(viewer().messages().empty()) << technique.id << ": " << viewer().messages().front().text;
+    const ImageSize size = viewer().picture().size();
+    std::printf("%-20s %7.1f ms at %dx%d, difference %.3g\n", std::string(technique.id).c_str(),
+                viewer().picture().full_ms(), size.width, size.height, viewer().difference()->rms);
+    ++drawn;
+  }
+  EXPECT_EQ(drawn, static_cast<int>(all_techniques().size()));
+}
+
+TEST_F(ViewerWindowTest, ASlowAnswerDoesNotHoldTheWindowUp) {
+  viewer().set_technique(*technique_named("split-sum"));
+  viewer().set_control("compare", 1);
+  double longest_ms = 0;
+  int frames = 0;
+  EXPECT_TRUE(frames_until([&] {
+    const auto start = Clock::now();
+    window().frame();
+    longest_ms = std::max(longest_ms, std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+    ++frames;
+    return viewer().picture().done() || frames >= 40;
+  }));
+  EXPECT_GT(frames, 3) << "it is drawn in parts";
+  std::printf("the exact answer of split-sum: the longest of %d frames took %.0f ms\n", frames, longest_ms);
+  keep_window("exact_glossy");
+  viewer().set_control("compare", 0);
+  viewer().set_technique(all_techniques()[0]);
+}
+
+}  // namespace
+}  // namespace zonal
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  if (argc > 1) zonal::picture_folder = argv[1];
+  try {
+    // A picture of 1280 x 720 beside the panels.
+    zonal::ViewerOptions options;
+    options.light = zonal::small_sky;
+    options.light_name = "sky";
+    zonal::the_window = std::make_unique<zonal::ViewerWindow>(std::move(options), zonal::ImageSize{1620, 720});
+  } catch (const zonal::Error& e) {
+    std::printf("skipped: %s\n", e.what());
+    return 77;
+  }
+  std::printf("drawn by %s\n", reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
+  const int result = RUN_ALL_TESTS();
+  zonal::the_window.reset();
+  return result;
+}
