@@ -53,8 +53,8 @@ template <int N, int m, class Scalar, class T, class Out>
 }  // namespace basis_detail
 
 /// The N^2 basis functions at the unit direction (x, y, z) into out, unrolled by the compiler: no loop, no branch, no
-/// table in memory. T may be a SIMD vector of Scalars, and `out` anything with an operator[]. (Neither lambda nor library
-/// call: kernels use it, which must not share code.)
+/// table in memory. T may be a SIMD vector of Scalars, and `out` anything with an operator[]. (Neither lambda nor
+/// library call: kernels use it, which must not share code.)
 template <int N, class T, class Scalar = T, class Out = T*>
 [[gnu::always_inline]] constexpr void basis_unrolled(T x, T y, T z, Out out) {
   basis_detail::columns<N, 0, Scalar>(x, y, z, T{} + Scalar(1), T{}, out);

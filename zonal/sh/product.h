@@ -61,13 +61,14 @@ Sh<ProductOf<T, U>, K> product_of_few_bands(const Sh<T, N>& f, const Sh<U, M>& g
   const int most = std::max({f.bands(), g.bands(), bands});
   const std::size_t size = std::min(static_cast<std::size_t>(coefficient_count(most)), kMost);
   Sh<ProductOf<T, U>, K> result(bands);
-  std::array<Scalar, kMost> a, b;
+  std::array<Scalar, kMost> store_a, store_b;
+  const std::span a = std::span(store_a).first(size), b = std::span(store_b).first(size);
   for (int channel = 0; channel < (kIsColor<ProductOf<T, U>> ? 3 : 1); ++channel) {
     for (std::size_t i = 0; i < size; ++i) {
       a[i] = i < f.size() ? static_cast<Scalar>(channel_of(f[i], channel)) : Scalar(0);
       b[i] = i < g.size() ? static_cast<Scalar>(channel_of(g[i], channel)) : Scalar(0);
     }
-    multiply_few_bands(most, std::span(a).first(size), std::span(b).first(size), std::span(a).first(size));
+    multiply_few_bands(most, std::span<const Scalar>(a), std::span<const Scalar>(b), a);
     for (std::size_t i = 0; i < result.size(); ++i) channel_of(result[i], channel) = a[i];
   }
   return result;
