@@ -28,6 +28,7 @@ struct LightsOptions {
   std::filesystem::path path, marked;
 };
 
+constexpr const char* kNoPicture = "none";
 constexpr int kMarkedRows = 512;  // of the panorama that is marked, at most twice as many
 
 /// Looking for maxima takes longer with the fourth power of the bands: ten seconds here.
@@ -119,18 +120,25 @@ Image<Rgb> panorama_of(const Coefficients& source, const Run& run) {
   return resample(picture, equirect, std::min(rows, 2 * kMarkedRows), {}, run).radiance;
 }
 
-void write_marked(const LightsOptions& options, const Coefficients& source, const LightsFile& file, Call& call) {
+/// Where the marked panorama goes: as asked, or beside what is worked on under the picture's name; empty: nowhere.
+std::filesystem::path marked_path(const LightsOptions& options, const Coefficients& source) {
+  if (options.marked == kNoPicture) return {};
+  if (!options.marked.empty() || !source.picture) return options.marked;
+  return options.source.input.paths.front().stem().string() + "-lights.png";
+}
+
+void write_marked(const std::filesystem::path& path, const Coefficients& source, const LightsFile& file, Call& call) {
   std::vector<PanoramaMark> marks;
   for (const FileLight& light : file.lights) {
     marks.push_back({light.direction, light.half_angle, static_cast<int>(marks.size()) + 1});
   }
   const std::vector<std::byte> png = encode_png(marked_panorama(panorama_of(source, call.run), marks));
-  write_file(options.marked, png);
-  call.console.wrote(options.marked, png.size(), "panorama with the lights marked");
+  write_file(path, png);
+  call.console.wrote(path, png.size(), "panorama with the lights marked");
 }
 
 void run_lights(const LightsOptions& options, Call& call) {
-  if (!options.marked.empty() && options.marked.extension() != ".png") {
+  if (!options.marked.empty() && options.marked != kNoPicture && options.marked.extension() != ".png") {
     throw Error(ErrorKind::kUsage, options.marked.string() + ": the marked panorama is a PNG", "name it .png");
   }
   Coefficients source = read_coefficients(options.source, call);
@@ -158,7 +166,9 @@ void run_lights(const LightsOptions& options, Call& call) {
   call.console.field("bands", source.sh.coefficients.bands());
   add_fields(found, file, ambient_share, metric, call.console);
   if (options.path != "-") answer_table(found, file, ambient_share, metric, call.console);
-  if (!options.marked.empty()) write_marked(options, source, file, call);
+  if (const std::filesystem::path marked = marked_path(options, source); !marked.empty()) {
+    write_marked(marked, source, file, call);
+  }
   if (!options.path.empty()) write_text(lights_json_text(file), options.path, "lights", call);
 }
 
@@ -187,7 +197,9 @@ void add_lights(CLI::App& app, Call& call) {
   verb.add_flag("--allow-negative", options->allow_negative,
                 "lights and ambient may be below zero where that fits better")
       ->group(kGroup);
-  verb.add_option("--marked", options->marked, "a PNG of the panorama with the lights numbered on it")->group("Output");
+  verb.add_option("--marked", options->marked,
+                  "a PNG of the panorama with the lights numbered on it, or none; for pictures NAME-lights.png if not said")
+      ->group("Output");
   verb.add_option("-o,--output", options->path,
                   "the lights as a file of JSON, - for standard output in place of the table")
       ->group("Output");

@@ -101,6 +101,11 @@ TEST_F(CliLights, MarksThemOnThePanorama) {
   }
   EXPECT_EQ(marked, 2);
   bad(2, {"lights", "sun.exr", "--marked", "one.jpg"}, "name it .png");
+  good({"lights", "sun.exr", "--marked", "none", "-q"});
+  good({"lights", "sun.json", "-q"});
+  EXPECT_FALSE(std::filesystem::exists(path("sun-lights.png")));
+  good({"lights", "sun.exr", "-n", "1", "-q"});
+  EXPECT_EQ(pixels_of(path("sun-lights.png")).width(), 1024);
 }
 
 TEST_F(CliLights, ProbesWithoutLights) {
