@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <string_view>
+#include <vector>
 
 #include "zonal/base/check.h"
 
@@ -24,13 +25,13 @@ std::string base64_text(std::span<const std::byte> bytes) {
 
 std::size_t PageBytes::add_planes(std::span<const std::byte> numbers, std::size_t width) {
   const std::size_t count = numbers.size() / width;
-  std::vector<std::byte> planes(numbers.size());
+  std::string planes(numbers.size(), 0);
   for (std::size_t plane = 0; plane < width; ++plane) {
     const std::size_t place = std::endian::native == std::endian::little ? plane : width - 1 - plane;
-    for (std::size_t i = 0; i < count; ++i) planes[plane * count + i] = numbers[i * width + place];
+    for (std::size_t i = 0; i < count; ++i) planes[plane * count + i] = std::to_integer<char>(numbers[i * width + place]);
   }
   const auto [found, is_new] = known_.try_emplace(std::move(planes), bytes_.size());
-  if (is_new) bytes_.insert(bytes_.end(), found->first.begin(), found->first.end());
+  if (is_new) bytes_ += found->first;
   return found->second;
 }
 

@@ -5,7 +5,6 @@
 #include <map>
 #include <span>
 #include <string>
-#include <vector>
 
 namespace zonal {
 
@@ -27,8 +26,8 @@ class PageBytes {
  private:
   std::size_t add_planes(std::span<const std::byte> numbers, std::size_t width);
 
-  std::vector<std::byte> bytes_;
-  std::map<std::vector<std::byte>, std::size_t> known_;
+  std::string bytes_;
+  std::map<std::string, std::size_t> known_;
 };
 
 }  // namespace zonal
