@@ -15,14 +15,18 @@ if(ZONAL_TESTS)
 endif()
 
 # zonal_test(NAME sources... [LIBS libs...]): one test program; each TEST of it is a ctest entry.
-# A test whose name starts with "Slow" or whose suite does carries the label slow; ctest -LE slow is the daily run.
+# A test whose suite starts with "Slow" carries the label slow, and with SLOW all of them; ctest -LE slow is the daily run.
 function(zonal_test name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LIBS" ${ARGN})
+  cmake_parse_arguments(ARG "SLOW" "" "SOURCES;LIBS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LIBS} zonal_flags GTest::gtest_main)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_definitions(${name} PRIVATE ZONAL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  gtest_discover_tests(${name} TEST_FILTER "-Slow*" DISCOVERY_TIMEOUT 60 PROPERTIES LABELS fast)
+  set(label fast)
+  if(ARG_SLOW)
+    set(label slow)
+  endif()
+  gtest_discover_tests(${name} TEST_FILTER "-Slow*" DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${label})
   gtest_discover_tests(${name} TEST_FILTER "Slow*" TEST_SUFFIX "" DISCOVERY_TIMEOUT 60 PROPERTIES LABELS slow TEST_LIST ${name}_slow)
 endfunction()
 

@@ -35,7 +35,7 @@ LiveLight turned_light(const ViewState& state) {
   return live_light(whole(), names_used(*state.technique, whole()), state);
 }
 
-TEST(LiveLight, KnowsWhatATechniqueLooksAt) {
+TEST(SlowLiveLight, KnowsWhatATechniqueLooksAt) {
   const auto used = [&](std::string_view technique) { return names_used(*technique_named(technique), whole()); };
   const auto holds = [](const std::vector<std::string>& list, std::string_view name) {
     return std::ranges::find(list, name) != list.end();
@@ -52,7 +52,7 @@ TEST(LiveLight, KnowsWhatATechniqueLooksAt) {
   EXPECT_FALSE(can_be_live(used("sphere-map"), whole()));
 }
 
-TEST(LiveLight, AQuarterTurnOfThePixelsIsAQuarterTurnOfTheCoefficients) {
+TEST(SlowLiveLight, AQuarterTurnOfThePixelsIsAQuarterTurnOfTheCoefficients) {
   const LiveLight live = turned_light(state_with("sh-bands", 90));
   const std::vector<float>&before = named(whole().uniforms, "sh").values,
         &after = named(live.data.uniforms, "sh").values;
@@ -72,7 +72,7 @@ TEST(LiveLight, AQuarterTurnOfThePixelsIsAQuarterTurnOfTheCoefficients) {
   EXPECT_GT(live.times.all(), 0);
 }
 
-TEST(LiveLight, WithoutATurnTheMapsAreThoseOfTheWholeView) {
+TEST(SlowLiveLight, WithoutATurnTheMapsAreThoseOfTheWholeView) {
   const LiveLight live = turned_light(state_with("irradiance-map", 0));
   const Image<Rgb>&before = named(whole().textures, "environment").levels[0],
         &after = named(live.data.textures, "environment").levels[0];
@@ -87,7 +87,7 @@ TEST(LiveLight, WithoutATurnTheMapsAreThoseOfTheWholeView) {
   EXPECT_NEAR(fine_sum / 4, coarse_sum, 0.005 * coarse_sum);
 }
 
-TEST(LiveLight, MakesOneLevelForTheSettings) {
+TEST(SlowLiveLight, MakesOneLevelForTheSettings) {
   ViewState state = state_with("phong", 30);
   state.set("shininess", 50);
   const LiveLight live = turned_light(state);

@@ -56,7 +56,7 @@ Exposures noisy_bracket(Encode encode, const std::vector<double>& seconds) {
   return sample::bracket(sample::scene(240, 160), {encode, 1.0}, seconds);
 }
 
-TEST(EstimateResponse, DebevecFindsKnownCurves) {
+TEST(SlowEstimateResponse, DebevecFindsKnownCurves) {
   int cameras = 0;
   for (const auto& [name, encode] : kCameras) {
     const ResponseFit fit =
@@ -75,7 +75,7 @@ TEST(EstimateResponse, DebevecFindsKnownCurves) {
   EXPECT_EQ(cameras, 3);
 }
 
-TEST(EstimateResponse, RobertsonFindsKnownCurves) {
+TEST(SlowEstimateResponse, RobertsonFindsKnownCurves) {
   int cameras = 0;
   for (const auto& [name, encode] : std::span(kCameras).first(2)) {  // not film: it has a shoulder
     const ResponseFit fit =
@@ -99,7 +99,7 @@ TEST(EvenSteps, AreThoseOfOneRatio) {
   EXPECT_FALSE(even_steps(std::vector<double>{1, 2, 5}));
 }
 
-TEST(EstimateResponse, CurvesNeverFallAndPassTheMiddle) {
+TEST(SlowEstimateResponse, CurvesNeverFallAndPassTheMiddle) {
   const Exposures bracket = sample::bracket(sample::scene(96, 64), {sample::film_camera, 4.0}, sample::five_times());
   const CodeSamples samples = sample_all_texels(bracket, 0);
   int compared = 0;
@@ -113,7 +113,7 @@ TEST(EstimateResponse, CurvesNeverFallAndPassTheMiddle) {
   EXPECT_EQ(compared, 2 * 3 * 255);
 }
 
-TEST(EstimateResponse, RobertsonRepeatsItsBitsOnAnyThreads) {
+TEST(SlowEstimateResponse, RobertsonRepeatsItsBitsOnAnyThreads) {
   const CodeSamples samples =
       sample_all_texels(sample::bracket(sample::scene(128, 96), {sample::srgb_camera, 1.0}, sample::uneven_times()), 0);
   zonal::Run one, seven;
@@ -122,7 +122,7 @@ TEST(EstimateResponse, RobertsonRepeatsItsBitsOnAnyThreads) {
             estimate_response_robertson(samples, {}, seven).response.exposure);
 }
 
-TEST(EstimateResponse, RefusesWhatDoesNotOverlap) {
+TEST(SlowEstimateResponse, RefusesWhatDoesNotOverlap) {
   // 14 stops apart: what is grey in one is black or white in the other.
   const Exposures bracket =
       sample::bracket(sample::scene(96, 64), {sample::srgb_camera}, {std::exp2(-14), std::exp2(14)});

@@ -47,7 +47,7 @@ double worst_shading_error(const Environment& whole, const SplitEnvironment& spl
   return max_channel(RgbD{worst.r / most.r, worst.g / most.g, worst.b / most.b});
 }
 
-TEST(SplitShading, LightsAndRestShadeLikeTheWhole) {
+TEST(SlowSplitShading, LightsAndRestShadeLikeTheWhole) {
   int suns = 0;
   for (const double diameter : {0.53, 3.0, 10.0}) {
     const Environment whole =
@@ -62,7 +62,7 @@ TEST(SplitShading, LightsAndRestShadeLikeTheWhole) {
   EXPECT_EQ(suns, 3);
 }
 
-TEST(SplitShading, ADaylightSkyAndItsSun) {
+TEST(SlowSplitShading, ADaylightSkyAndItsSun) {
   const DaylightOptions sky_options{.elevation_deg = 30, .azimuth_deg = 50, .turbidity = 3, .sun = false};
   DaylightOptions sun_options = sky_options;
   sun_options.sun = true;

@@ -15,7 +15,7 @@ namespace {
 
 double texel_deg(const Environment& e) { return degrees(std::sqrt(4 * kPi / static_cast<double>(e.radiance.size()))); }
 
-TEST(Split, AKnownSunIsMeasured) {
+TEST(SlowSplit, AKnownSunIsMeasured) {
   // At the centre, across the seam, at and near both poles, anywhere.
   const std::vector<Vec3> directions = {{1, 0, 0},  {-1, 0, 0},    normalize({0, 0.01, 1}),
                                         {0, 0, -1}, {0.6, 0, 0.8}, normalize({-0.3, 0.5, -0.2})};
@@ -48,7 +48,7 @@ TEST(Split, AKnownSunIsMeasured) {
   EXPECT_EQ(suns, 12);
 }
 
-TEST(Split, ASunSmallerThanTheTexelsHasABound) {
+TEST(SlowSplit, ASunSmallerThanTheTexelsHasABound) {
   std::mt19937 random(11);
   std::normal_distribution<double> normal;
   int suns = 0;
@@ -69,7 +69,7 @@ TEST(Split, ASunSmallerThanTheTexelsHasABound) {
   EXPECT_EQ(suns, 20);
 }
 
-TEST(Split, EveryProjectionAcrossItsSeams) {
+TEST(SlowSplit, EveryProjectionAcrossItsSeams) {
   // Cube edges and corners, octahedral folds, poles, rims.
   const std::vector<Vec3> directions = {
       normalize({1, 1, 0.02}),  normalize({1, -1, 1}), {-1, 0, 0}, normalize({-1, 0.03, 0.02}), {0, 0, 1},
@@ -100,7 +100,7 @@ TEST(Split, EveryProjectionAcrossItsSeams) {
   EXPECT_GE(suns, 13 * 6);  // a fisheye sees the upper half only
 }
 
-TEST(Split, PicturesWithoutSourcesComeBackAsTheyWere) {
+TEST(SlowSplit, PicturesWithoutSourcesComeBackAsTheyWere) {
   const Projection equirect{Layout::kEquirect};
   const std::vector<Environment> pictures = {sky(32),
                                              sky(32, {}),
@@ -133,7 +133,7 @@ Environment three_lamps() {
   return e;
 }
 
-TEST(Split, TheStrongestFirstAndNoMoreThanAsked) {
+TEST(SlowSplit, TheStrongestFirstAndNoMoreThanAsked) {
   const Environment whole = three_lamps();
   const SplitEnvironment all = split_lights(whole);
   ASSERT_EQ(all.lights.size(), 3u);
@@ -159,7 +159,7 @@ TEST(Split, TheStrongestFirstAndNoMoreThanAsked) {
   EXPECT_EQ(split_lights(whole, {.max_size_sr = 1.2 * disc(radians(2))}).lights.size(), 2u);
 }
 
-TEST(Split, TwoPeaksAreTwoLightsWhereTheSaddleIsLow) {
+TEST(SlowSplit, TwoPeaksAreTwoLightsWhereTheSaddleIsLow) {
   // Radii of 2 degrees, 5 apart, with a glow of `between` around both that is still a compact source.
   const Vec3 left = {1, 0, 0}, right = {std::cos(radians(5)), std::sin(radians(5)), 0};
   const Vec3 middle = normalize(left + right);
@@ -179,7 +179,7 @@ TEST(Split, TwoPeaksAreTwoLightsWhereTheSaddleIsLow) {
   EXPECT_EQ(lights_with(40).size(), 1u);  // 100 is less than four times the saddle
 }
 
-TEST(Split, AStripIsNoDisc) {
+TEST(SlowSplit, AStripIsNoDisc) {
   // The mean of 1 - cos of the angle from its middle is half_length² / 6, and of the largest disc 0.06 / 4 pi: as long
   // as 9.7 degrees to each side.
   int strips = 0;
@@ -197,7 +197,7 @@ TEST(Split, AStripIsNoDisc) {
   EXPECT_EQ(strips, 4);
 }
 
-TEST(Split, ASunInABrightWindowLeavesTheWindow) {
+TEST(SlowSplit, ASunInABrightWindowLeavesTheWindow) {
   Environment whole = sky(256, {0.1f, 0.1f, 0.1f});
   const Vec3 toward = normalize({1, 1, 0.5});
   std::mt19937 random(3);
@@ -214,7 +214,7 @@ TEST(Split, ASunInABrightWindowLeavesTheWindow) {
   expect_balance(whole, split);
 }
 
-TEST(Split, TheSameBitsOnAnyNumberOfThreads) {
+TEST(SlowSplit, TheSameBitsOnAnyNumberOfThreads) {
   const Environment whole = three_lamps();
   const SplitEnvironment one = split_lights(whole, {}, {.threads = 1});
   int compared = 0;
@@ -233,7 +233,7 @@ TEST(Split, TheSameBitsOnAnyNumberOfThreads) {
   EXPECT_EQ(compared, 6);
 }
 
-TEST(Split, BrightnessHasNoUnit) {
+TEST(SlowSplit, BrightnessHasNoUnit) {
   const SplitEnvironment reference = split_lights(three_lamps());
   int compared = 0;
   for (const float scale : {1e-30f, 1e30f}) {
@@ -249,7 +249,7 @@ TEST(Split, BrightnessHasNoUnit) {
   EXPECT_EQ(compared, 6);
 }
 
-TEST(Split, TheSmallestPictures) {
+TEST(SlowSplit, TheSmallestPictures) {
   int pictures = 0;
   for (const Layout layout : all_layouts()) {
     for (const int size_px : {1, 2, 3, 4}) {
@@ -277,7 +277,7 @@ ErrorKind kind_of(const Environment& e, const SplitOptions& options = {}, const 
   return ErrorKind::kOutput;
 }
 
-TEST(Split, RefusesWhatItCannotSplit) {
+TEST(SlowSplit, RefusesWhatItCannotSplit) {
   Environment nan = sky(8), infinite = sky(8);
   nan.radiance(3, 3).g = std::nanf("");
   infinite.radiance(3, 3).b = INFINITY;

@@ -89,7 +89,7 @@ std::size_t count(const std::string& text, const std::string& part) {
   return found;
 }
 
-TEST(BakePage, IsWellFormedWithEveryPicture) {
+TEST(SlowBakePage, IsWellFormedWithEveryPicture) {
   const HtmlCheck check = HtmlReader::read(full_page_html());
   EXPECT_EQ(check.problems, std::vector<std::string>());
   // Panorama; irradiance map and ball; a ball a level; exact ball and map; three a fit; colour scale; split sum.
@@ -99,7 +99,7 @@ TEST(BakePage, IsWellFormedWithEveryPicture) {
   EXPECT_GE(count(check.text, kHostile), 3u);  // title, heading, setting
 }
 
-TEST(BakePage, SectionsComeInOrder) {
+TEST(SlowBakePage, SectionsComeInOrder) {
   const std::string& html = full_page_html();
   std::size_t last = 0, compared = 0;
   for (const char* id : {"panorama", "irradiance", "chain", "sh", "histogram", "energy", "sun", "warnings", "split-sum",
@@ -113,7 +113,7 @@ TEST(BakePage, SectionsComeInOrder) {
   EXPECT_EQ(compared, count(html, "<section "));
 }
 
-TEST(BakePage, ShowsTheFiguresGiven) {
+TEST(SlowBakePage, ShowsTheFiguresGiven) {
   const std::string text = HtmlReader::read(full_page_html()).text;
   int compared = 0;
   for (const char* figure : {
@@ -193,7 +193,7 @@ TEST(SlowBakePage, MarksTheSunWhereItIs) {
   EXPECT_EQ(count(bake_page_html(page), "r=\"17\""), 0u);
 }
 
-TEST(BakePage, WarnsOrSaysThatThereIsNothing) {
+TEST(SlowBakePage, WarnsOrSaysThatThereIsNothing) {
   EXPECT_EQ(count(full_page_html(), "No warnings"), 1u);
   BakePage page = full_page();
   page.survey.negative_texels = 31;
@@ -206,7 +206,7 @@ TEST(BakePage, WarnsOrSaysThatThereIsNothing) {
   EXPECT_EQ(count(check.text, "clipped"), 1u);
 }
 
-TEST(BakePage, HasAViewerWhereOneIsGiven) {
+TEST(SlowBakePage, HasAViewerWhereOneIsGiven) {
   BakePage page = full_page();
   page.viewer = bake_page_viewer(page.panorama);
   const std::string html = bake_page_html(page);
@@ -220,7 +220,7 @@ TEST(BakePage, HasAViewerWhereOneIsGiven) {
   EXPECT_LT(page.viewer.html.size(), 1.8e6);  // of noise, which does not compress
 }
 
-TEST(BakePage, SaysWhenNothingWasMeasured) {
+TEST(SlowBakePage, SaysWhenNothingWasMeasured) {
   EXPECT_EQ(count(full_page_html(), "Nothing was measured"), 0u);
   BakePage page = full_page();
   page.irradiance_verified.reset();

@@ -34,7 +34,7 @@ std::string without_script(std::string html) {
   return html.erase(begin, end + 9 - begin);
 }
 
-TEST(FisheyePage, ShowsBothMapsInAllForms) {
+TEST(SlowFisheyePage, ShowsBothMapsInAllForms) {
   const Environment e = photograph(0.9f);
   const HtmlCheck check = HtmlReader::read(without_script(fisheye_page_html(page_of(e, true))));
   EXPECT_EQ(check.problems, std::vector<std::string>());
@@ -51,7 +51,7 @@ TEST(FisheyePage, ShowsBothMapsInAllForms) {
   EXPECT_EQ(found, 8);
 }
 
-TEST(FisheyePage, LightOfAnyBrightnessAndTwoParaboloids) {
+TEST(SlowFisheyePage, LightOfAnyBrightnessAndTwoParaboloids) {
   const Environment bright = photograph(30);
   const std::string html = fisheye_page_html(page_of(bright, false, FisheyeOutside::kTwo));
   const HtmlCheck check = HtmlReader::read(without_script(html));
@@ -62,7 +62,7 @@ TEST(FisheyePage, LightOfAnyBrightnessAndTwoParaboloids) {
   EXPECT_EQ(check.text.find("not a number"), std::string::npos);
 }
 
-TEST(FisheyePage, TheCircleIsThatOfThePhotograph) {
+TEST(SlowFisheyePage, TheCircleIsThatOfThePhotograph) {
   const Environment e = photograph(0.9f);
   const std::string html = fisheye_page_html(page_of(e, true));
   int found = 0;
@@ -80,7 +80,7 @@ TEST(FisheyePage, TheCircleIsThatOfThePhotograph) {
   EXPECT_EQ(fisheye_page_script().find("eval("), std::string_view::npos);
 }
 
-TEST(FisheyePage, ABlackPhotographIsStillAPage) {
+TEST(SlowFisheyePage, ABlackPhotographIsStillAPage) {
   Environment black = photograph(0);
   for (Rgb& texel : black.radiance.values()) texel = {};
   FisheyePage page{"black", &black, false, {}, FisheyeOutside::kExtended, "--mode corrected", {}, {}, "zonal 0"};

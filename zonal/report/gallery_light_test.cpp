@@ -88,7 +88,7 @@ Environment three_lamps() {
   });
 }
 
-TEST(GalleryLight, ARotatingLightChangesTheCubeAlone) {
+TEST(SlowGalleryLight, ARotatingLightChangesTheCubeAlone) {
   const GalleryFigure figure = rotating_light_figure();
   EXPECT_EQ(held(figure), 4);
   const std::vector<Image<Rgb8>> balls = pictures_of(figure);
@@ -102,7 +102,7 @@ TEST(GalleryLight, ARotatingLightChangesTheCubeAlone) {
   EXPECT_LE(difference_of(balls[13], balls[7]), 1);  // a quarter turn brings the cube onto itself
 }
 
-TEST(GalleryLight, AYellowLightLeavesABlueBand) {
+TEST(SlowGalleryLight, AYellowLightLeavesABlueBand) {
   const GalleryFigure figure = yellow_light_figure();
   EXPECT_EQ(held(figure), 6);
   const std::vector<Image<Rgb8>> balls = pictures_of(figure);
@@ -136,7 +136,7 @@ TEST(GalleryLight, AYellowLightLeavesABlueBand) {
   EXPECT_GT(blue(at(plain6, -toward.y, -toward.z)), 15);
 }
 
-TEST(GalleryLight, ContentKeepsTheHighlightAndLosesTheRings) {
+TEST(SlowGalleryLight, ContentKeepsTheHighlightAndLosesTheRings) {
   const GalleryFigure figure = content_window_figure();
   EXPECT_EQ(held(figure), 9);
   const std::vector<Image<Rgb8>> balls = pictures_of(figure);
@@ -157,7 +157,7 @@ TEST(GalleryLight, ContentKeepsTheHighlightAndLosesTheRings) {
   EXPECT_GT(count_in_disc(balls[3], [](Rgb8 c) { return c.g >= 250; }), 50);
 }
 
-TEST(GalleryLight, AHoleIsDark) {
+TEST(SlowGalleryLight, AHoleIsDark) {
   const GalleryFigure figure = hole_in_the_sky_figure();
   EXPECT_EQ(held(figure), 5);
   const std::vector<Image<Rgb8>> discs = pictures_of(figure);
@@ -180,7 +180,7 @@ TEST(GalleryLight, AHoleIsDark) {
   EXPECT_LT(difference_of(product, truth), difference_of(sky_sh, truth));
 }
 
-TEST(GalleryLight, MoreBandsHoldMoreOfAProbe) {
+TEST(SlowGalleryLight, MoreBandsHoldMoreOfAProbe) {
   const GalleryFigure figure = probe_bands_figure(shown_probe(three_lamps(), {}));
   EXPECT_EQ(held(figure), 8);
   const std::vector<Image<Rgb8>> discs = pictures_of(figure);
@@ -195,7 +195,7 @@ TEST(GalleryLight, MoreBandsHoldMoreOfAProbe) {
   for (std::size_t i = 1; i < 7; ++i) EXPECT_GT(difference_of(discs[i], discs[i - 1]), 50);
 }
 
-TEST(GalleryLight, ThreeLampsAreFoundAndMarked) {
+TEST(SlowGalleryLight, ThreeLampsAreFoundAndMarked) {
   const ShownProbe probe = shown_probe(three_lamps(), {});
   const GalleryFigure figure = extracted_lights_figure(probe);
   EXPECT_EQ(held(figure), 13);
@@ -210,7 +210,7 @@ TEST(GalleryLight, ThreeLampsAreFoundAndMarked) {
   EXPECT_EQ(rings, 3 + 2 + 1);
 }
 
-TEST(GalleryLight, BlueIsWhereTheFunctionIsNegative) {
+TEST(SlowGalleryLight, BlueIsWhereTheFunctionIsNegative) {
   const ShownProbe probe = shown_probe(three_lamps(), {});
   const GalleryFigure figure = windowed_probe_figure(probe);
   EXPECT_EQ(held(figure), 5);
@@ -273,7 +273,7 @@ TEST(SlowGalleryLight, EveryNumberHoldsForEveryProbe) {
   EXPECT_EQ(compared, 9 * (8 + 13 + 5) - 1);  // a negative mean has no window that helps
 }
 
-TEST(GalleryLight, BlackIsBlack) {
+TEST(SlowGalleryLight, BlackIsBlack) {
   const ShownProbe probe = shown_probe(furnace(kFlat, {2, 1}, {0, 0, 0}), {});
   const auto black = [](Rgb8 c) { return c == Rgb8(); };
   const auto zero = [](Rgb8 c) { return c == iso_color(0, {}); };
@@ -291,7 +291,7 @@ TEST(GalleryLight, BlackIsBlack) {
   EXPECT_EQ(discs, 7 + 8 + 7);
 }
 
-TEST(GalleryLight, RefusesWhatIsNoNumber) {
+TEST(SlowGalleryLight, RefusesWhatIsNoNumber) {
   int refused = 0;
   for (const float wrong : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
     Environment probe = furnace(kFlat, {8, 4});

@@ -44,7 +44,7 @@ std::size_t count(const std::string& text, std::string_view part) {
   return found;
 }
 
-TEST(ViewPage, HoldsEachTechniqueAndEachControlOnce) {
+TEST(SlowViewPage, HoldsEachTechniqueAndEachControlOnce) {
   const nlohmann::json tables = tables_of(view_page_html(small_light()));
   std::vector<std::string> ids, names, fields;
   for (const auto& technique : tables.at("techniques")) {
@@ -71,7 +71,7 @@ TEST(ViewPage, HoldsEachTechniqueAndEachControlOnce) {
   EXPECT_GE(ids.size(), 17u);
 }
 
-TEST(ViewPage, GivesTheShadersAsTheLibraryWritesThem) {
+TEST(SlowViewPage, GivesTheShadersAsTheLibraryWritesThem) {
   const nlohmann::json tables = tables_of(view_page_html(small_light()));
   const std::string shared = tables.at("shaders").at("shared");
   EXPECT_TRUE(shared.starts_with("#version 300 es\n"));
@@ -81,7 +81,7 @@ TEST(ViewPage, GivesTheShadersAsTheLibraryWritesThem) {
   EXPECT_EQ(tables.at("uniforms").size(), small_light().uniforms.size());
 }
 
-TEST(ViewPage, NoWordOfTheOutsideBecomesMarkup) {
+TEST(SlowViewPage, NoWordOfTheOutsideBecomesMarkup) {
   const std::string plain = view_page_html(small_light());
   const std::string html = view_page_html(small_light(), {.title = kHostile, .subtitle = kHostile});
   EXPECT_EQ(count(html, "<script"), count(plain, "<script"));
@@ -90,7 +90,7 @@ TEST(ViewPage, NoWordOfTheOutsideBecomesMarkup) {
   EXPECT_EQ(tables_of(html).at("title"), "</script><script>alert(1)</script><!--\"&'\xef\xbf\xbd.exr");
 }
 
-TEST(ViewPage, AsksNothingOfTheNetwork) {
+TEST(SlowViewPage, AsksNothingOfTheNetwork) {
   const std::string html = view_page_html(small_light());
   EXPECT_EQ(count(html, "default-src 'none'"), 1u);
   for (const char* word : {"http:", "https:", "src=", "fetch(", "XMLHttpRequest", "import(", "eval(", "innerHTML"}) {
@@ -98,7 +98,7 @@ TEST(ViewPage, AsksNothingOfTheNetwork) {
   }
 }
 
-TEST(ViewPage, OpensAsItsStateSays) {
+TEST(SlowViewPage, OpensAsItsStateSays) {
   ViewState state = parse_state("technique=phong&mesh=bumpy&yaw=30&shininess=60");
   EXPECT_EQ(tables_of(view_page_html(small_light(), {.state = state})).at("start"),
             "technique=phong&mesh=bumpy&yaw=30&exposure_ev=" + shortest(std::round(small_light().exposure_ev * 4) / 4) +
@@ -110,7 +110,7 @@ TEST(ViewPage, OpensAsItsStateSays) {
   EXPECT_THROW(view_page_html(small_light(), {.state = state}), Error);
 }
 
-TEST(ViewPage, SaysWhatWasCutOff) {
+TEST(SlowViewPage, SaysWhatWasCutOff) {
   ViewData bright = small_light();
   EXPECT_EQ(tables_of(view_page_html(bright)).at("note").get<std::string>().find("cut off"), std::string::npos);
   bright.textures[0].levels[0](3, 3) = {2 * kRgb9e5Max, 0, 0};
