@@ -5,17 +5,8 @@ set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 zonal=$1
 work=$2
-browser=$(command -v chromium || command -v chromium-browser || true)
-[ -n "$browser" ] || { echo "skipped: no chromium"; exit 77; }
-for program in node npm; do
-  command -v $program >/dev/null || { echo "skipped: no $program"; exit 77; }
-done
-mkdir -p "$work"
-cp "$here/package.json" "$here/package-lock.json" "$here"/*.mjs "$work"
-cd "$work"
-if [ ! -d node_modules/playwright-core ]; then
-  npm ci --ignore-scripts --no-audit --no-fund >npm.log 2>&1 || { echo "skipped: npm ci failed, see $work/npm.log"; exit 77; }
-fi
+. "$here/../browser.sh"
+in_browser_folder "$work" "$here" "$here"/*.mjs
 # Light without symmetry, so that a mirrored or turned lookup shows.
 "$zonal" testcard --size 256 -o sky.exr --quiet
 "$zonal" view sky.exr --html page.html --quiet 2>log || { cat log; exit 1; }

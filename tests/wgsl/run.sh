@@ -5,16 +5,7 @@ set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 write_cases=$1
 work=$2
-browser=$(command -v chromium || command -v chromium-browser || true)
-[ -n "$browser" ] || { echo "skipped: no chromium"; exit 77; }
-for program in node npm; do
-  command -v $program >/dev/null || { echo "skipped: no $program"; exit 77; }
-done
-mkdir -p "$work"
-cp "$here/../page/package.json" "$here/../page/package-lock.json" "$here/check.mjs" "$work"
-cd "$work"
-if [ ! -d node_modules/playwright-core ]; then
-  npm ci --ignore-scripts --no-audit --no-fund >npm.log 2>&1 || { echo "skipped: npm ci failed, see $work/npm.log"; exit 77; }
-fi
+. "$here/../browser.sh"
+in_browser_folder "$work" "$here/../page" "$here/check.mjs"
 "$write_cases" cases.json
 node check.mjs "$browser" cases.json
