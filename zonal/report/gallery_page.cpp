@@ -10,8 +10,8 @@
 #include <string_view>
 
 #include "zonal/base/check.h"
-#include "zonal/image/color.h"
 #include "zonal/io/png.h"
+#include "zonal/report/gallery_light_figures.h"
 #include "zonal/report/html.h"
 #include "zonal/report/png_uri.h"
 #include "zonal/report/svg.h"
@@ -19,14 +19,6 @@
 
 namespace zonal {
 namespace {
-
-Image<Rgb8> on_display(const Image<Rgb>& linear) {
-  Image<Rgb8> shown(linear.width(), linear.height());
-  std::ranges::transform(linear.values(), shown.values().begin(), [](Rgb c) {
-    return Rgb8{srgb8(c.r), srgb8(c.g), srgb8(c.b)};
-  });
-  return shown;
-}
 
 struct PageSize {
   double width = 0, height = 0;
@@ -51,7 +43,7 @@ std::string plate(const GalleryPicture& picture) {
   std::string inside;
   double width = 0, height = 0, least = 0;
   if (picture.svg.empty()) {
-    const Image<Rgb8> shown = on_display(picture.picture);
+    const Image<Rgb8> shown = displayed(picture.picture);
     width = static_cast<double>(shown.width()) / picture.scale;
     height = static_cast<double>(shown.height()) / picture.scale;
     least = width;
@@ -135,7 +127,7 @@ std::vector<GalleryFile> write_gallery(const std::vector<GalleryFigure>& figures
       const std::string name = file_name(picture);
       check(names.insert(picture.name).second, "two pictures of the gallery have one name");
       if (picture.svg.empty()) {
-        const std::vector<std::byte> png = encode_png(on_display(picture.picture));
+        const std::vector<std::byte> png = encode_png(displayed(picture.picture));
         folder.add(name, png);
         files.push_back({name, figure.title, png.size()});
       } else {
