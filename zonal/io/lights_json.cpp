@@ -3,21 +3,19 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
-#include <set>
 #include <vector>
 
 #include "zonal/base/check.h"
 #include "zonal/base/error.h"
+#include "zonal/io/json_fields.h"
 #include "zonal/io/json_text.h"
 
 namespace zonal {
 namespace {
 
-using nlohmann::json;
-
 constexpr int kVersion = 1;
 constexpr std::size_t kMaxLights = 65536;
+constexpr const char* kSubject = "lights";
 constexpr const char* kFormat = "zonal-lights";
 constexpr const char* kFrame = "z-up-right-handed";
 constexpr const char* kAzimuth = "from +X toward +Y";
@@ -25,8 +23,10 @@ constexpr const char* kAzimuth = "from +X toward +Y";
 constexpr double kAgree = 1e-6;
 
 [[noreturn]] void fail(const std::string& what, std::string hint = {}) {
-  throw Error(ErrorKind::kInput, "lights: " + what, std::move(hint));
+  throw Error(ErrorKind::kInput, fmt::format("{}: {}", kSubject, what), std::move(hint));
 }
+
+std::string light_name(std::size_t index) { return fmt::format("light {}: ", index); }
 
 bool is_finite(RgbD c) { return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b); }
 
@@ -55,81 +55,9 @@ JsonValue light_json(const FileLight& light) {
                            {"share", light.share ? JsonValue(*light.share) : JsonValue()}};
 }
 
-/// Parses and refuses a field that stands twice in its object: the library would keep the last one without a word.
-json parse(std::string_view text) {
-  std::vector<std::set<std::string>> seen;  // seen[depth] = the fields of the object that is open there
-  std::string twice;
-  const auto watch = [&](int depth, json::parse_event_t event, const json& parsed) {
-    const auto d = static_cast<std::size_t>(depth);
-    if (event == json::parse_event_t::object_start) {
-      seen.resize(std::max(seen.size(), d + 2));
-      seen[d + 1].clear();
-    }
-    if (event == json::parse_event_t::key && !seen.at(d).insert(parsed.get<std::string>()).second)
-      twice = parsed.get<std::string>();
-    return true;
-  };
-  json document;
-  try {
-    document = json::parse(text, watch);
-  } catch (const json::exception&) {
-    fail("this is not JSON");
-  }
-  if (!document.is_object()) fail("this is JSON, but not an object");
-  if (!twice.empty()) fail(fmt::format("the field \"{}\" appears twice", twice));
-  return document;
-}
-
-/// The fields of one object. Every one that is read is counted, so that none can stand there unread.
-class Fields {
- public:
-  Fields(const json& object, std::string name) : object_(object), name_(std::move(name)) {}
-
-  const json& operator[](const char* name) {
-    const auto found = object_.find(name);
-    if (found == object_.end()) wrong(name, "is missing");
-    ++read_;
-    return *found;
-  }
-  [[noreturn]] void wrong(const char* name, const std::string& how) const {
-    fail(fmt::format("{}\"{}\" {}", name_, name, how));
-  }
-  void expect_text(const char* name, const char* expected) {
-    const json& value = (*this)[name];
-    if (value != expected) wrong(name, fmt::format("must be \"{}\"", expected));
-  }
-  double number(const char* name) {
-    const json& value = (*this)[name];
-    if (!is_good(value)) wrong(name, "is not a finite number");
-    return value.get<double>();
-  }
-  /// Three finite numbers.
-  RgbD triple(const char* name) {
-    const json& value = (*this)[name];
-    if (!value.is_array() || value.size() != 3 || !is_good(value[0]) || !is_good(value[1]) || !is_good(value[2]))
-      wrong(name, "is not three finite numbers");
-    return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
-  }
-  bool is_null(const char* name) const {
-    const auto found = object_.find(name);
-    return found != object_.end() && found->is_null();
-  }
-  void end() const {
-    if (object_.size() != read_) fail(name_ + "there are fields that version 1 does not have");
-  }
-
- private:
-  static bool is_good(const json& value) { return value.is_number() && std::isfinite(value.get<double>()); }
-
-  const json& object_;
-  std::string name_;
-  std::size_t read_ = 0;
-};
-
-std::optional<RgbD> optional_triple(Fields& fields, const char* name) {
-  if (!fields.is_null(name)) return fields.triple(name);
-  (void)fields[name];
-  return std::nullopt;
+std::optional<RgbD> optional_triple(JsonFields& fields, const char* name) {
+  if (fields.is_null(name)) return std::nullopt;
+  return fields.triple(name);
 }
 
 bool agree(double a, double b) { return std::abs(a - b) <= kAgree * std::max(std::abs(a), std::abs(b)); }
@@ -138,20 +66,13 @@ Vec3 direction_of(double azimuth, double elevation) {
   return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
 }
 
-FileLight parse_light(const json& object, std::size_t index) {
-  const std::string name = fmt::format("light {}: ", index);
-  if (!object.is_object()) fail(name + "is not an object");
-  Fields fields(object, name);
+FileLight parse_light(JsonFields& fields, const std::string& name) {
   FileLight light;
   const RgbD direction = fields.triple("direction");
   light.direction = {direction.r, direction.g, direction.b};
   light.half_angle = radians(fields.number("half_angle_deg"));
   light.irradiance = fields.triple("irradiance");
-  if (!fields.is_null("share")) {
-    light.share = fields.number("share");
-  } else {
-    (void)fields["share"];
-  }
+  if (!fields.is_null("share")) light.share = fields.number("share");
   if (light.half_angle > kPi && light.half_angle < kPi * (1 + kAgree)) light.half_angle = kPi;  // 180 and a rounding
   check_light(light, name);
 
@@ -197,7 +118,7 @@ std::string lights_json_text(const LightsFile& file) {
   if (file.lights.size() > kMaxLights) fail(fmt::format("{} are more than a file may hold", file.lights.size()));
   JsonValue::Array lights;
   for (std::size_t i = 0; i < file.lights.size(); ++i) {
-    check_light(file.lights[i], fmt::format("light {}: ", i));
+    check_light(file.lights[i], light_name(i));
     lights.push_back(light_json(file.lights[i]));
   }
   return json_text(JsonValue::Object{{"format", kFormat},
@@ -209,20 +130,17 @@ std::string lights_json_text(const LightsFile& file) {
 }
 
 LightsFile parse_lights_json(std::string_view text) {
-  const json document = parse(text);
-  Fields fields(document, "");
-  fields.expect_text("format", kFormat);
-  const json& version = fields["version"];
-  if (!version.is_number_integer() || version != kVersion) fields.wrong("version", fmt::format("must be {}", kVersion));
-  fields.expect_text("frame", kFrame);
-  fields.expect_text("azimuth", kAzimuth);
+  JsonFields fields = JsonFields::of_document(text, kSubject);
+  fields.expect("format", kFormat);
+  fields.integer("version", kVersion, kVersion);
+  fields.expect("frame", kFrame);
+  fields.expect("azimuth", kAzimuth);
   LightsFile file;
   file.ambient = optional_triple(fields, "ambient_radiance");
-  const json& lights = fields["lights"];
-  if (!lights.is_array()) fields.wrong("lights", "is not an array");
-  if (lights.size() > kMaxLights) fields.wrong("lights", "are more than a file may hold");
+  for (JsonFields& light : fields.objects("lights", "light", kMaxLights)) {
+    file.lights.push_back(parse_light(light, light_name(file.lights.size())));
+  }
   fields.end();
-  for (const json& light : lights) file.lights.push_back(parse_light(light, file.lights.size()));
   return file;
 }
 

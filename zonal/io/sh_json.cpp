@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
-#include <set>
 
 #include "zonal/base/error.h"
+#include "zonal/io/json_fields.h"
 #include "zonal/io/json_text.h"
 #include "zonal/sh/convention.h"
 #include "zonal/sh/irradiance.h"
@@ -18,78 +18,7 @@ namespace {
 constexpr std::array<std::string_view, 3> kQuantityNames = {"radiance", "irradiance", "irradiance/pi"};
 constexpr int kVersion = 1, kMaxBands = 1024;
 
-[[noreturn]] void fail(const std::string& what, std::string hint = {}) {
-  throw Error(ErrorKind::kInput, "SH coefficients: " + what, std::move(hint));
-}
-
-/// Parses and refuses a field that stands twice at the top: the library would keep the last one without a word.
-nlohmann::json parse(std::string_view text) {
-  std::set<std::string> seen;
-  std::string twice;
-  const auto watch = [&](int depth, nlohmann::json::parse_event_t event, const nlohmann::json& parsed) {
-    if (event == nlohmann::json::parse_event_t::key && depth == 1 && !seen.insert(parsed.get<std::string>()).second) {
-      twice = parsed.get<std::string>();
-    }
-    return true;
-  };
-  nlohmann::json document;
-  try {
-    document = nlohmann::json::parse(text, watch);
-  } catch (const nlohmann::json::exception&) {
-    fail("this is not JSON");
-  }
-  if (!document.is_object()) fail("this is JSON, but not an object");
-  if (!twice.empty()) fail(fmt::format("the field \"{}\" appears twice", twice));
-  return document;
-}
-
-const nlohmann::json& field(const nlohmann::json& document, const char* name) {
-  const auto found = document.find(name);
-  if (found == document.end()) fail(fmt::format("the field \"{}\" is missing", name));
-  return *found;
-}
-
-std::string text_field(const nlohmann::json& document, const char* name) {
-  const nlohmann::json& value = field(document, name);
-  if (!value.is_string()) fail(fmt::format("\"{}\" is not a string", name));
-  return value.get<std::string>();
-}
-
-void expect_text(const nlohmann::json& document, const char* name, std::string_view expected) {
-  const std::string found = text_field(document, name);
-  if (found != expected) fail(fmt::format("\"{}\" is \"{}\", must be \"{}\"", name, found, expected));
-}
-
-int integer_field(const nlohmann::json& document, const char* name, int smallest, int largest) {
-  const nlohmann::json& value = field(document, name);
-  // As double: an integer too large for any integer type is a number still, and out of range.
-  const double number = value.is_number_integer() ? value.get<double>() : -1;
-  if (number < smallest || number > largest) {
-    fail(fmt::format("\"{}\" is not an integer from {} to {}", name, smallest, largest));
-  }
-  return static_cast<int>(number);
-}
-
-RgbD color(const nlohmann::json& row, std::size_t index) {
-  const auto is_good = [](const nlohmann::json& value) {
-    return value.is_number() && std::isfinite(value.get<double>());
-  };
-  if (!row.is_array() || row.size() != 3 || !is_good(row[0]) || !is_good(row[1]) || !is_good(row[2])) {
-    fail(fmt::format("coefficient {} is not three finite numbers [r, g, b]", index));
-  }
-  return {row[0].get<double>(), row[1].get<double>(), row[2].get<double>()};
-}
-
-Sh<RgbD> coefficients_field(const nlohmann::json& document, int bands) {
-  const nlohmann::json& rows = field(document, "coefficients");
-  if (!rows.is_array()) fail("\"coefficients\" is not an array");
-  Sh<RgbD> coefficients(bands);
-  if (rows.size() != coefficients.size()) {
-    fail(fmt::format("{} bands have {} coefficients, this has {}", bands, coefficients.size(), rows.size()));
-  }
-  for (std::size_t i = 0; i < rows.size(); ++i) coefficients[i] = color(rows[i], i);
-  return coefficients;
-}
+constexpr const char* kSubject = "SH coefficients";
 
 /// What the quantity has of the radiance of band l.
 std::vector<double> factors_of(ShQuantity quantity, int bands) {
@@ -127,6 +56,9 @@ ShFile to_quantity(const ShFile& file, ShQuantity quantity) {
 }
 
 std::string sh_json_text(const ShFile& file) {
+  const auto fail = [](const std::string& what, std::string hint = {}) {
+    throw Error(ErrorKind::kInput, fmt::format("{}: {}", kSubject, what), std::move(hint));
+  };
   if (file.coefficients.size() == 0) fail("there are none");
   JsonValue::Array rows;
   for (std::size_t i = 0; i < file.coefficients.size(); ++i) {
@@ -147,22 +79,27 @@ std::string sh_json_text(const ShFile& file) {
 }
 
 ShFile parse_sh_json(std::string_view text) {
-  const nlohmann::json document = parse(text);
-  expect_text(document, "format", "zonal-sh");
-  integer_field(document, "version", kVersion, kVersion);
-  const int bands = integer_field(document, "bands", 1, kMaxBands);
-  const std::string quantity_name = text_field(document, "quantity");
+  JsonFields fields = JsonFields::of_document(text, kSubject);
+  fields.expect("format", "zonal-sh");
+  fields.integer("version", kVersion, kVersion);
+  Sh<RgbD> coefficients(fields.integer("bands", 1, kMaxBands));
+  const std::string quantity_name = fields.text("quantity");
   const std::optional<ShQuantity> quantity = sh_quantity_named(quantity_name);
-  if (!quantity)
-    fail(fmt::format("\"quantity\" is \"{}\"", quantity_name), "it is one of radiance, irradiance, irradiance/pi");
-  expect_text(document, "basis", "real");
-  const nlohmann::json& signed_basis = field(document, "condon_shortley");
-  if (!signed_basis.is_boolean()) fail("\"condon_shortley\" is not true or false");
-  expect_text(document, "frame", "z-up-right-handed");
-  Sh<RgbD> coefficients = coefficients_field(document, bands);
-  constexpr std::size_t kFields = 8;  // all of them are there by now
-  if (document.size() > kFields) fail("there are fields that version 1 does not have");
-  if (signed_basis.get<bool>()) coefficients = from_condon_shortley(coefficients);
+  if (!quantity) {
+    fields.wrong("quantity", fmt::format("is \"{}\"", quantity_name),
+                 "it is one of radiance, irradiance, irradiance/pi");
+  }
+  fields.expect("basis", "real");
+  const bool is_signed = fields.boolean("condon_shortley");
+  fields.expect("frame", "z-up-right-handed");
+  const std::vector<RgbD> rows = fields.triples("coefficients", "coefficient");
+  if (rows.size() != coefficients.size()) {
+    fields.fail(fmt::format("{} bands have {} coefficients, this has {}", coefficients.bands(), coefficients.size(),
+                            rows.size()));
+  }
+  fields.end();
+  std::ranges::copy(rows, coefficients.values().begin());
+  if (is_signed) coefficients = from_condon_shortley(coefficients);
   return {*quantity, std::move(coefficients)};
 }
 

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "zonal/base/check.h"
+#include "zonal/image/tonemap.h"
 #include "zonal/io/json_text.h"
 #include "zonal/sh/basis_constants.h"
 #include "zonal/view/control.h"
@@ -31,6 +32,13 @@ std::string literal(double value) {
   std::string digits = shortest(static_cast<float>(value));
   if (digits.find_first_of(".e") == digits.npos) digits += ".0";
   return digits;
+}
+
+/// What the shaders show light by is the library's own (math/vec.h, image/tonemap.h).
+std::string display_constants() {
+  const auto weight = [](RgbD primary) { return literal(luminance(primary)); };
+  return fmt::format("const vec3 luminance_weights = vec3({}, {}, {});\nconst float tone_white = {};\n",
+                     weight({1, 0, 0}), weight({0, 1, 0}), weight({0, 0, 1}), literal(Tonemap{}.white));
 }
 
 /// Straight-line code, from the constants of the library's own recurrence (sh/eval.h), of six bands at a unit
@@ -85,7 +93,7 @@ std::string sum_function() {
 
 /// What every fragment shader starts with.
 std::string shared(ShaderHome home) {
-  std::string text = head(home) + control_uniforms();
+  std::string text = head(home) + control_uniforms() + display_constants();
   for (const std::string_view stem : {"uniforms", "surface", "display"}) text += shader_body(stem);
   return text;
 }

@@ -14,8 +14,7 @@ vec3 displayed(vec3 radiance) {
   vec3 c = exp2(exposure_ev) * max(radiance, vec3(0.0));
   float light = luminance(c);
   if (tone_curve == 0 && light > 0.0) {
-    const float white = 8.0;
-    c *= min(1.0, light * (1.0 + light / (white * white)) / (1.0 + light)) / light;
+    c *= min(1.0, light * (1.0 + light / (tone_white * tone_white)) / (1.0 + light)) / light;
   }
   return srgb(fit_display(c));
 }

@@ -10,7 +10,7 @@ struct Surface {
 
 const float pi = 3.14159265358979;
 
-float luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
+float luminance(vec3 c) { return dot(c, luminance_weights); }
 
 vec3 toward_mirrored(Surface s) { return reflect(-s.toward_eye, s.normal); }
 
