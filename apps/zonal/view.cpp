@@ -9,6 +9,7 @@
 #include "apps/zonal/run_options.h"
 #include "apps/zonal/verbs.h"
 #include "apps/zonal/view_screenshot.h"
+#include "apps/zonal/view_sheet.h"
 #include "apps/zonal/view_window.h"
 #include "zonal/base/error.h"
 #include "zonal/io/file.h"
@@ -23,7 +24,7 @@ namespace {
 struct ViewOptions {
   InputOptions input;
   std::string technique, mesh, settings;
-  std::filesystem::path screenshot, html;
+  std::filesystem::path screenshot, sheet, html;
   std::string size = "1280x720";
   MeshLoadOptions mesh_loading;
   bool list = false;
@@ -72,10 +73,15 @@ void list_techniques(Call& call) {
   call.console.field("techniques", list);
 }
 
+std::string light_name(const ViewOptions& options) {
+  return options.input.paths.empty() ? "A clear day" : options.input.paths[0].filename().string();
+}
+
 void write_page(const ViewData& data, const ViewState& state, const ViewOptions& options, Call& call) {
-  const std::string name = options.input.paths.empty() ? "A clear day" : options.input.paths[0].filename().string();
-  ViewPageOptions page = {
-      .title = name, .subtitle = "lit by all techniques, beside the exact answer", .state = state, .meshes = {}};
+  ViewPageOptions page = {.title = light_name(options),
+                          .subtitle = "lit by all techniques, beside the exact answer",
+                          .state = state,
+                          .meshes = {}};
   if (std::ranges::find(mesh_shape_names(), state.mesh) == mesh_shape_names().end()) {
     page.state.mesh = "file";  // a path may have characters that an address cannot
     page.meshes.emplace_back(page.state.mesh, load_mesh(state.mesh, options.mesh_loading, call.run).mesh);
@@ -86,33 +92,38 @@ void write_page(const ViewData& data, const ViewState& state, const ViewOptions&
 }
 
 void open_window(const ViewOptions& options, const ViewState& state, Call& call) {
-  const std::string name = options.input.paths.empty() ? "a clear day" : options.input.paths[0].filename().string();
   const auto light = [&options](const Run& run) {
     Call background;  // notes and warnings go to the terminal as they do elsewhere
     background.run = run;
     return panorama_of(options, background);
   };
-  open_view_window(state, name, light, options.mesh_loading, call);
+  open_view_window(state, light_name(options), light, options.mesh_loading, call);
 }
 
 void run_view(const ViewOptions& options, Call& call) {
   if (options.list) return list_techniques(call);
   ViewState state = state_of(options);
-  const bool page = !options.html.empty();
-  if (!page && options.screenshot.empty()) return open_window(options, state, call);
+  const bool page = !options.html.empty(), picture = !options.screenshot.empty() || !options.sheet.empty();
+  if (!page && !picture) return open_window(options, state, call);
   const ViewData data =
       view_data(panorama_of(options, call), page ? view_page_data_options() : ViewDataOptions(), call.run);
   if (page) write_page(data, state, options, call);
-  if (page && options.screenshot.empty()) return;
+  if (!picture) return;
   if (!state.controls.contains("exposure_ev")) state.set("exposure_ev", std::round(4 * data.exposure_ev) / 4);
-  write_screenshot(data, state, options.screenshot, options.size, options.mesh_loading, call);
+  if (!options.screenshot.empty()) {
+    write_screenshot(data, state, options.screenshot, options.size, options.mesh_loading, call);
+  }
+  if (!options.sheet.empty()) {
+    write_view_sheet(data, state, options.sheet, options.mesh_loading, light_name(options), call);
+  }
 }
 
 }  // namespace
 
 void add_view(CLI::App& app, Call& call) {
   auto options = std::make_shared<ViewOptions>();
-  CLI::App& verb = *app.add_subcommand("view", "Techniques of lighting by the environment, side by side with the exact answer.");
+  CLI::App& verb =
+      *app.add_subcommand("view", "Techniques of lighting by the environment, side by side with the exact answer.");
   add_input_options(verb, options->input);
   verb.get_option("IN")->required(false);  // there is a sky to look at without one
   constexpr const char* kGroup = "View";
@@ -124,8 +135,13 @@ void add_view(CLI::App& app, Call& call) {
   verb.add_option("--set", options->settings, "settings, as a page keeps them in its address: \"roughness=0.4&yaw=30\"")
       ->group(kGroup);
   verb.add_option("--screenshot", options->screenshot, "draws one picture, without a display")->group(kGroup);
-  verb.add_option("--html", options->html,
-                  "writes a page that draws all of it in a browser; a --screenshot is then of the page's own, smaller maps")
+  verb.add_option(
+          "--sheet", options->sheet,
+          "draws every technique beside its exact answer, with their differences, in one SVG; without a display")
+      ->group(kGroup);
+  verb.add_option(
+          "--html", options->html,
+          "writes a page that draws all of it in a browser; a --screenshot is then of the page's own, smaller maps")
       ->group(kGroup);
   verb.add_option("--size", options->size, "of the picture, in pixels")->capture_default_str()->group(kGroup);
   verb.add_flag("--list", options->list, "the techniques and the settings that there are")->group(kGroup);
@@ -135,6 +151,7 @@ void add_view(CLI::App& app, Call& call) {
       "  zonal view sunset.hdr                     opens a window: drop images and meshes into it\n"
       "  zonal view sunset.hdr --technique split-sum --screenshot ball.png\n"
       "  zonal view sunset.hdr --mesh torus-knot --set \"technique=sh-bands&bands=3&compare=3\" --screenshot knot.png\n"
+      "  zonal view sunset.hdr --sheet techniques.svg\n"
       "  zonal view sunset.hdr --html sunset.html\n"
       "  zonal view --list");
   verb.callback([options, &call] { run_view(*options, call); });
