@@ -10,9 +10,9 @@
 
 #include "zonal/base/check.h"
 #include "zonal/light/convolve.h"
-#include "zonal/light/orient.h"
 #include "zonal/light/project.h"
 #include "zonal/light/resample.h"
+#include "zonal/view/light_turn.h"
 #include "zonal/view/shader_source.h"
 #include "zonal/view/view_pictures.h"
 #include "zonal/view/view_uniforms.h"
@@ -152,6 +152,7 @@ std::vector<std::string> names_used(const Technique& technique, const ViewData& 
   std::set<std::string> reached;
   add_reached(technique_fragment_shader(ShaderHome::kDesktop, technique), reached);
   add_reached(background_fragment_shader(ShaderHome::kDesktop), reached);
+  if (reached.contains("sh_turned")) reached.insert("sh");  // of which it is made
   std::vector<std::string> used;
   for (const ViewTexture& texture : data.textures) {
     if (reached.contains(texture.name)) used.push_back(texture.name);
@@ -172,12 +173,12 @@ LiveLight live_light(const ViewData& whole, const std::vector<std::string>& used
                      const Run& run) {
   LiveLight live;
   live.data.exposure_ev = whole.exposure_ev;
-  live.yaw_deg = state.value("light_yaw_deg");
+  live.world_from_light = world_from_light(state);
 
   auto start = std::chrono::steady_clock::now();
   const Environment panorama = {texture_named(whole, "environment").levels[0], {Layout::kEquirect}};
   const Environment turned = resample(panorama, panorama.projection, panorama.radiance.height(),
-                                      {.world_from_source = zonal::turned(live.yaw_deg)}, run);
+                                      {.world_from_source = live.world_from_light}, run);
   add_pictures(live, whole, used, turned, run);
   live.times.turn = ms_since(start);
 

@@ -21,8 +21,8 @@ struct LiveTimes {
 
 /// The light turned for real: not looked up in another direction, but its pixels turned, projected and filtered anew.
 struct LiveLight {
-  ViewData data;  ///< what one technique and the background look up
-  double yaw_deg = 0;
+  ViewData data;              ///< what one technique and the background look up
+  Rotation world_from_light;  ///< how its pixels are turned
   LiveTimes times;
 };
 

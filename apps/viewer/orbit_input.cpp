@@ -18,10 +18,17 @@ void zoom(OrbitCamera& camera, double steps) {
   camera.distance = std::clamp(camera.distance * std::pow(0.9, steps), 1.2, 20.0);
 }
 
-double dragged_light_yaw_deg(double yaw_deg, double dx_px, int width_px) {
-  if (width_px < 1) return yaw_deg;
-  // What is in front of the eye goes to the right as its yaw falls.
-  return wrapped_deg(yaw_deg - 180.0 * dx_px / width_px);
+Turn dragged_light(const Turn& turn, const OrbitCamera& camera, double dx_px, double dy_px, ImageSize size) {
+  if (size.width < 1 || size.height < 1) return turn;
+  Turn dragged = turn;
+  // What is in front of the eye goes to the right as the yaw falls, and down by a negative turn about the eye's right.
+  dragged.yaw_deg = wrapped_deg(turn.yaw_deg - 180.0 * dx_px / size.width);
+  if (dy_px == 0) return dragged;
+  const double eye_yaw = radians(camera.yaw_deg);
+  const Vec3 right = {-std::sin(eye_yaw), std::cos(eye_yaw), 0};
+  dragged = turn_of(Rotation::about(right, radians(-180.0 * dy_px / size.height)) * turned(dragged));
+  const auto rounded = [](double angle_deg) { return std::round(1000 * angle_deg) / 1000; };
+  return {rounded(dragged.yaw_deg), rounded(dragged.pitch_deg), rounded(dragged.roll_deg)};
 }
 
 }  // namespace zonal

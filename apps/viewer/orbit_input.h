@@ -1,5 +1,7 @@
 #pragma once
 
+#include "zonal/light/orient.h"
+#include "zonal/sphere/projection.h"
 #include "zonal/view/view_state.h"
 
 namespace zonal {
@@ -8,8 +10,10 @@ namespace zonal {
 void orbit(OrbitCamera&, double dx_px, double dy_px, int height_px);
 /// One step of a wheel toward the object is a tenth of the distance.
 void zoom(OrbitCamera&, double steps);
-/// The light follows the hand: a drag to the right over the whole width turns it by half a turn. In [-180, 180].
-double dragged_light_yaw_deg(double yaw_deg, double dx_px, int width_px);
+/// What of the light is ahead of the eye follows the hand: a drag over the whole width turns it by half a turn about
+/// the vertical, then one over the whole height by half a turn about the eye's own horizontal axis. To a thousandth of
+/// a degree, so that settings stay short.
+Turn dragged_light(const Turn&, const OrbitCamera&, double dx_px, double dy_px, ImageSize);
 /// The same angle in [-180, 180].
 double wrapped_deg(double angle_deg);
 

@@ -6,12 +6,16 @@
 
 #include "apps/viewer/panels.h"
 #include "apps/viewer/plain_text.h"
+#include "zonal/view/light_turn.h"
 
 namespace zonal {
 namespace {
 
-/// Turning the light is more than a number.
-constexpr std::string_view kLightYaw = "light_yaw_deg";
+/// The turn of the light with one of its angles as given. It is more than a number: the light turns for real.
+Turn turn_with(ViewState state, std::string_view control, double angle_deg) {
+  state.set(control, angle_deg);
+  return light_turn(state);
+}
 
 void draw_slider(Viewer& viewer, const Control& control, const char* label) {
   auto value = static_cast<float>(viewer.state().value(control.name));
@@ -24,13 +28,13 @@ void draw_slider(Viewer& viewer, const Control& control, const char* label) {
     double stepped = value;
     if (control.step > 0) stepped = control.least + control.step * std::round((value - control.least) / control.step);
     stepped = std::clamp(stepped, control.least, control.greatest);
-    if (control.name == kLightYaw) {
-      viewer.drag_light(stepped);
+    if (turns_light(control.name)) {
+      viewer.drag_light(turn_with(viewer.state(), control.name, stepped));
     } else {
       viewer.set_control(control.name, stepped);
     }
   }
-  if (released && control.name == kLightYaw) viewer.release_light();
+  if (released && turns_light(control.name)) viewer.release_light();
 }
 
 void draw_choice(Viewer& viewer, const Control& control, const char* label) {

@@ -6,11 +6,11 @@
 #include <chrono>
 #include <cmath>
 
-#include "apps/viewer/orbit_input.h"
 #include "zonal/base/error.h"
 #include "zonal/io/environment_file.h"
 #include "zonal/io/file.h"
 #include "zonal/io/png.h"
+#include "zonal/view/light_turn.h"
 
 namespace zonal {
 namespace {
@@ -179,8 +179,9 @@ void Viewer::find_used() {
   live_possible_ = can_be_live(used_, *light_);
 }
 
-void Viewer::drag_light(double yaw_deg) {
-  set_control("light_yaw_deg", yaw_deg);
+void Viewer::drag_light(const Turn& turn) {
+  guarded([&] { set_light_turn(state_, turn); });
+  stale();
   dragging_light_ = true;
   if (!light_) return;
   // Timed for every technique, shown where the technique looks at nothing else.
@@ -236,7 +237,7 @@ void Viewer::collect(BackgroundWork& work) {
 
 ViewState Viewer::drawn_state() const {
   ViewState state = state_;
-  if (live_) state.set("light_yaw_deg", wrapped_deg(state_.value("light_yaw_deg") - live_->yaw_deg));
+  if (live_) set_light_turn(state, turn_of(world_from_light(state_) * transpose(live_->world_from_light)));
   return state;
 }
 

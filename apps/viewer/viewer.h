@@ -13,6 +13,7 @@
 #include "apps/viewer/scene_picture.h"
 #include "zonal/gl/scene.h"
 #include "zonal/light/environment.h"
+#include "zonal/light/orient.h"
 #include "zonal/view/mesh_file.h"
 #include "zonal/view/view_state.h"
 
@@ -59,7 +60,7 @@ class Viewer {
   MeshUp mesh_up() const { return mesh_options_.up; }
 
   /// Between these the light turns for real, in the background, and the newest turn is shown when it is done.
-  void drag_light(double yaw_deg);
+  void drag_light(const Turn&);
   void release_light();
   /// Of the last one; nullopt before the first. See live_light().
   const std::optional<LiveTimes>& live_times() const { return live_times_; }

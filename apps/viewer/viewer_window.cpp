@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "apps/viewer/orbit_input.h"
+#include "zonal/view/light_turn.h"
 
 namespace zonal {
 namespace {
@@ -46,9 +47,9 @@ void ViewerWindow::pointer_moved(double x, double y) {
     orbit(camera, dx, dy, size.height);
     viewer_.set_camera(camera);
   }
-  if (held_[kRight] && dx != 0) {
-    const int width = static_cast<int>(size.width - panel_width());
-    viewer_.drag_light(dragged_light_yaw_deg(viewer_.state().value("light_yaw_deg"), dx, width));
+  if (held_[kRight] && (dx != 0 || dy != 0)) {
+    const ImageSize picture = {static_cast<int>(size.width - panel_width()), size.height};
+    viewer_.drag_light(dragged_light(light_turn(viewer_.state()), viewer_.state().camera, dx, dy, picture));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "zonal/light/synthetic.h"
+#include "zonal/view/light_turn.h"
 
 namespace zonal {
 namespace {
@@ -24,10 +25,10 @@ const auto& named(const List& list, std::string_view name) {
   return *std::ranges::find_if(list, [&](const auto& entry) { return entry.name == name; });
 }
 
-ViewState state_with(std::string_view technique, double yaw_deg) {
+ViewState state_with(std::string_view technique, const Turn& turn) {
   ViewState state;
   state.technique = technique_named(technique);
-  state.set("light_yaw_deg", yaw_deg);
+  set_light_turn(state, turn);
   return state;
 }
 
@@ -53,7 +54,7 @@ TEST(SlowLiveLight, KnowsWhatATechniqueLooksAt) {
 }
 
 TEST(SlowLiveLight, AQuarterTurnOfThePixelsIsAQuarterTurnOfTheCoefficients) {
-  const LiveLight live = turned_light(state_with("sh-bands", 90));
+  const LiveLight live = turned_light(state_with("sh-bands", {.yaw_deg = 90}));
   const std::vector<float>&before = named(whole().uniforms, "sh").values,
         &after = named(live.data.uniforms, "sh").values;
   ASSERT_EQ(before.size(), 108u);
@@ -68,12 +69,30 @@ TEST(SlowLiveLight, AQuarterTurnOfThePixelsIsAQuarterTurnOfTheCoefficients) {
     EXPECT_NEAR(after[3 * 2 + c], before[3 * 2 + c], 2e-3 * scale);
     EXPECT_NEAR(after[c], before[c], 2e-3 * scale);
   }
-  EXPECT_EQ(live.yaw_deg, 90);
+  EXPECT_EQ(live.world_from_light, turned(90));
   EXPECT_GT(live.times.all(), 0);
 }
 
+// Two ways to the same coefficients: the pixels turned and projected, the coefficients turned.
+TEST(SlowLiveLight, PixelsTurnFreelyAsCoefficientsDo) {
+  ViewState state = state_with("sh-bands", {.yaw_deg = 40, .pitch_deg = -65, .roll_deg = 110});
+  state.set("turn_by", 1);
+  const LiveLight live = turned_light(state);
+  const std::vector<float>& pixels = named(live.data.uniforms, "sh").values;
+  const std::vector<float> coefficients = turned_coefficients(named(whole().uniforms, "sh"), state);
+  ASSERT_EQ(pixels.size(), coefficients.size());
+  double scale = 0, moved = 0;
+  for (const float x : coefficients) scale = std::max(scale, std::abs(static_cast<double>(x)));
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    // As for a quarter turn; the sixth band sees the edges of the card within a texel.
+    EXPECT_NEAR(pixels[i], coefficients[i], 5e-3 * scale) << i;
+    moved = std::max(moved, std::abs(1.0 * coefficients[i] - named(whole().uniforms, "sh").values[i]));
+  }
+  EXPECT_GT(moved, 0.05 * scale) << "or nothing was turned";
+}
+
 TEST(SlowLiveLight, WithoutATurnTheMapsAreThoseOfTheWholeView) {
-  const LiveLight live = turned_light(state_with("irradiance-map", 0));
+  const LiveLight live = turned_light(state_with("irradiance-map", {}));
   const Image<Rgb>&before = named(whole().textures, "environment").levels[0],
         &after = named(live.data.textures, "environment").levels[0];
   EXPECT_EQ(before, after);
@@ -88,7 +107,7 @@ TEST(SlowLiveLight, WithoutATurnTheMapsAreThoseOfTheWholeView) {
 }
 
 TEST(SlowLiveLight, MakesOneLevelForTheSettings) {
-  ViewState state = state_with("phong", 30);
+  ViewState state = state_with("phong", {.yaw_deg = 30});
   state.set("shininess", 50);
   const LiveLight live = turned_light(state);
   EXPECT_EQ(named(live.data.textures, "phong_chain").levels.size(), 1u);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace zonal {
 namespace {
 
@@ -30,10 +32,34 @@ TEST(OrbitInput, TheCameraStaysWithinWhatAnAddressTakes) {
 }
 
 TEST(OrbitInput, TheLightFollowsTheHand) {
-  // The eye is at -X and looks along +X. A light ahead (at +X) dragged to the right must come to be at -Y.
-  const double yaw = dragged_light_yaw_deg(0, 100, 200);
-  EXPECT_NEAR(yaw, -90, 1e-12);
-  EXPECT_NEAR(dragged_light_yaw_deg(170, -100, 200), -100, 1e-12) << "wrapped";
+  constexpr ImageSize kPicture = {200, 100};
+  OrbitCamera camera;  // at -X, looking along +X
+  camera.yaw_deg = 180, camera.pitch_deg = 0;
+  // A light ahead (at +X) dragged to the right must come to be at -Y.
+  EXPECT_NEAR(dragged_light({}, camera, 100, 0, kPicture).yaw_deg, -90, 1e-12);
+  EXPECT_NEAR(dragged_light({.yaw_deg = 170}, camera, -100, 0, kPicture).yaw_deg, -100, 1e-12) << "wrapped";
+  // Dragged up, it comes to be above.
+  const Turn up = dragged_light({}, camera, 0, -25, kPicture);
+  EXPECT_LT(length(turned(up) * Vec3{1, 0, 0} - normalize(Vec3{1, 0, 1})), 1e-6);
+}
+
+// Wherever the eye is and however the light is turned already, what is ahead goes where the hand goes.
+TEST(OrbitInput, WhatIsAheadGoesUpWithTheHand) {
+  int checked = 0;
+  for (const double eye_yaw : {-100.0, 0.0, 65.0}) {
+    for (const Turn& before : {Turn(), Turn{30, 50, -70}, Turn{-120, -88, 10}, Turn{0, 90, 0}}) {
+      OrbitCamera camera;
+      camera.yaw_deg = eye_yaw, camera.pitch_deg = 0;
+      const Vec3 ahead = -1.0 * camera_matrices(camera, 1).eye, up = {0, 0, 1};
+      const Vec3 there = transpose(turned(before)) * normalize(ahead);  // as the light knows it
+      const Turn after = dragged_light(before, camera, 0, -10, {200, 100});
+      const Vec3 now = turned(after) * there;
+      EXPECT_NEAR(degrees(std::asin(dot(now, up))), 18, 1e-2) << eye_yaw;
+      EXPECT_NEAR(dot(now, normalize(ahead)), std::cos(radians(18)), 1e-3) << "and not aside";
+      ++checked;
+    }
+  }
+  EXPECT_EQ(checked, 12);
 }
 
 }  // namespace

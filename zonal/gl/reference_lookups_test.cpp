@@ -11,9 +11,14 @@ namespace zonal {
 
 Vec3 mirrored(const SurfacePoint& p) { return 2 * dot(p.normal, p.toward_eye) * p.normal - p.toward_eye; }
 
+Rotation light_rotation(const ViewState& state) {
+  return Rotation::about_z(radians(state.value("light_yaw_deg"))) *
+         Rotation::about_y(-radians(state.value("light_pitch_deg"))) *
+         Rotation::about_x(radians(state.value("light_roll_deg")));
+}
+
 std::function<Vec3(Vec3)> into_light(const ViewState& state) {
-  const Rotation light_from_world = Rotation::about_z(-radians(state.value("light_yaw_deg")));
-  return [light_from_world](Vec3 d) { return light_from_world * d; };
+  return [light_from_world = transpose(light_rotation(state))](Vec3 d) { return light_from_world * d; };
 }
 
 std::function<RgbD(Vec3)> lookup(Environment environment) {

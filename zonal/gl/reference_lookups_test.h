@@ -15,6 +15,9 @@ namespace zonal {
 /// 2(n.v)n - v.
 Vec3 mirrored(const SurfacePoint&);
 
+/// How the light is turned: about its own +X, then up, then about the vertical.
+Rotation light_rotation(const ViewState&);
+
 /// The light turned, as the library turns pictures: what it has at d is what the panorama has at the result.
 std::function<Vec3(Vec3)> into_light(const ViewState&);
 

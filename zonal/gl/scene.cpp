@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "zonal/gl/target.h"
+#include "zonal/view/light_turn.h"
 #include "zonal/view/shader_source.h"
 
 namespace zonal {
@@ -82,6 +83,9 @@ void Scene::set_shared(const GpuProgram& program, const ViewState& state, int wi
   }
   for (const ViewUniform& uniform : uniforms_) {
     program.set_vectors(uniform.name.c_str(), uniform.components, uniform.values);
+    if (uniform.name == "sh" && program.has("sh_turned")) {
+      program.set_vectors("sh_turned", uniform.components, turned_coefficients(uniform, state));
+    }
   }
   for (const Control& control : all_controls()) {
     const double value = state.value(control.name);
@@ -99,10 +103,7 @@ void Scene::set_shared(const GpuProgram& program, const ViewState& state, int wi
   program.set_matrix("eye_from_world", camera.eye_from_world);
   const float eye[] = {f(camera.eye.x), f(camera.eye.y), f(camera.eye.z)};
   program.set_vectors("eye", 3, eye);
-  const double turn = radians(state.value("light_yaw_deg"));
-  const float c = f(std::cos(turn)), s = f(std::sin(turn));
-  const float light_from_world[] = {c, -s, 0, s, c, 0, 0, 0, 1};
-  program.set_matrix("light_from_world", light_from_world);
+  program.set_matrix("light_from_world", light_from_world(state));
   program.set("split_px", 0.5f * static_cast<float>(width));
   program.set("measure", measure);
   program.set("time_s", f(state.time_s));

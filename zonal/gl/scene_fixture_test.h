@@ -42,7 +42,7 @@ class SlowScene : public testing::Test {
 
   /// A view in which no axis is along another: camera and light turned by odd angles.
   static ViewState state_of(const std::string& settings) {
-    return parse_state("yaw=103&pitch=24&light_yaw_deg=111&" + settings);
+    return parse_state("yaw=103&pitch=24&light_yaw_deg=111&light_pitch_deg=-37&light_roll_deg=52&" + settings);
   }
 
   /// The surface points under the pixels, as the shaders have them; every `stride`-th of those that are covered.

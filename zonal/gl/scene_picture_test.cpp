@@ -51,7 +51,7 @@ TEST_F(SlowScene, TheBackgroundIsThePanoramaBehindTheObject) {
   const Vec3 back = {std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw), std::sin(pitch)};
   const Vec3 right = {-std::sin(yaw), std::cos(yaw), 0}, up = cross(back, right);
   const double half_height = std::tan(radians(35));
-  const Rotation light_from_world = Rotation::about_z(-radians(state.value("light_yaw_deg")));
+  const Rotation light_from_world = transpose(light_rotation(state));
   const auto sample = lookup(panorama_);
   double error = 0, total = 0;
   for (int y = 0; y < kSize; ++y) {

@@ -160,7 +160,7 @@ PointLight harmonics(const Sh<RgbD>& radiance, const ViewState& state) {
   if (kind == 2) matte = window(matte, Window::lanczos(3 / strength));
   if (kind == 3) matte = window(matte, Window::laplacian(0.05 * strength * strength * strength));
   // The coefficients are turned, where the shader turns the normal.
-  matte = rotate(matte, Rotation::about_z(radians(state.value("light_yaw_deg"))));
+  matte = rotate(matte, light_rotation(state));
   return [matte, albedo = state.value("albedo")](const SurfacePoint& p) { return albedo * evaluate(matte, p.normal); };
 }
 

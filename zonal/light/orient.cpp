@@ -29,4 +29,14 @@ Rotation turned(double yaw_deg, double pitch_deg, double roll_deg) {
   return turn({0, 0, 1}, yaw_deg) * turn({0, 1, 0}, -pitch_deg) * turn({1, 0, 0}, roll_deg);
 }
 
+Turn turn_of(const Rotation& rotation) {
+  const auto& [x, y, z] = rotation.rows;
+  // The last row is (sin pitch, cos pitch sin roll, cos pitch cos roll), the first column (cos pitch cos yaw,
+  // cos pitch sin yaw, sin pitch).
+  const double level = std::hypot(z.y, z.z), pitch_deg = degrees(std::atan2(z.x, level));
+  constexpr double kUpright = 1e-9;  // beyond the square root of roundings, roll and yaw are none of their own
+  if (level < kUpright) return {degrees(std::atan2(-x.y, y.y)), pitch_deg, 0};
+  return {degrees(std::atan2(y.x, x.x)), pitch_deg, degrees(std::atan2(z.y, z.z))};
+}
+
 }  // namespace zonal

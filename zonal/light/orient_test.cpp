@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace zonal {
 namespace {
 
@@ -30,6 +32,33 @@ TEST(Orient, QuarterTurnsHaveNoRounding) {
   EXPECT_EQ(compared, 108);
   const Rotation near = Rotation::about_z(radians(30)), ours = turned(30);
   for (int i = 0; i < 3; ++i) EXPECT_LT(length(near.rows[i] - ours.rows[i]), 1e-15);
+}
+
+TEST(Orient, TheAnglesOfARotationMakeItAgain) {
+  int compared = 0;
+  for (const double yaw : {-179.0, -90.0, -30.0, 0.0, 77.0, 180.0}) {
+    for (const double pitch : {-90.0, -89.9, -41.0, 0.0, 12.0, 90.0}) {
+      for (const double roll : {-180.0, -100.0, 0.0, 3.0, 90.0}) {
+        const Rotation rotation = turned(yaw, pitch, roll);
+        const Turn turn = turn_of(rotation);
+        const Rotation again = turned(turn);
+        for (std::size_t i = 0; i < 3; ++i) {
+          EXPECT_LT(length(again.rows[i] - rotation.rows[i]), 1e-13) << yaw << " " << pitch << " " << roll;
+        }
+        EXPECT_LE(std::abs(turn.pitch_deg), 90);
+        EXPECT_LE(std::abs(turn.yaw_deg), 180);
+        EXPECT_LE(std::abs(turn.roll_deg), 180);
+        if (std::abs(pitch) < 89) {
+          EXPECT_NEAR(std::remainder(turn.yaw_deg - yaw, 360), 0, 1e-12);
+          EXPECT_NEAR(turn.pitch_deg, pitch, 1e-12);
+          EXPECT_NEAR(std::remainder(turn.roll_deg - roll, 360), 0, 1e-12);
+        }
+        ++compared;
+      }
+    }
+  }
+  EXPECT_EQ(compared, 180);
+  EXPECT_EQ(turn_of(turned(0)), Turn());
 }
 
 }  // namespace

@@ -28,11 +28,13 @@ constexpr std::array<std::string_view, 11> kLightSets = {"each for a second", "O
                                                          "Galileo's tomb",    "Vine Street kitchen",  "Breezeway",
                                                          "Campus Sunset",     "Funston Beach Sunset"};
 
-constexpr std::size_t kCommon = 6;
+constexpr std::size_t kCommon = 8;
 constexpr Control kControls[] = {
     {.name = "exposure_ev", .label = "exposure, EV", .least = -12, .greatest = 12, .step = 0.25},
     {.name = "tone_curve", .label = "tone curve", .kind = ControlKind::kChoice, .greatest = 1, .choices = kToneCurves},
     {.name = "light_yaw_deg", .label = "light turned, degrees", .least = -180, .greatest = 180, .step = 1},
+    {.name = "light_pitch_deg", .label = "light tilted up, degrees", .least = -90, .greatest = 90, .step = 1},
+    {.name = "light_roll_deg", .label = "light rolled, degrees", .least = -180, .greatest = 180, .step = 1},
     {.name = "compare", .label = "show", .kind = ControlKind::kChoice, .greatest = 3, .choices = kComparisons},
     {.name = "difference_gain", .label = "difference times", .least = 1, .greatest = 32, .initial = 4, .step = 1},
     {.name = "albedo", .label = "albedo", .initial = 0.8, .step = 0.05},

@@ -29,8 +29,8 @@ std::string filled(std::string text, std::string_view mark, std::string_view wit
 /// One function scope: nothing of it is seen by other scripts of the page.
 std::string script() {
   std::string text = "'use strict';\n(() => {\n";
-  for (const char* stem :
-       {"bytes", "settings", "camera", "gpu", "scene", "pace", "measure", "controls", "orbit", "panel", "viewer"}) {
+  for (const char* stem : {"bytes", "settings", "camera", "light_turn", "gpu", "scene", "pace", "measure", "controls",
+                           "orbit", "panel", "viewer"}) {
     text += part(stem);
   }
   return text + "})();\n";

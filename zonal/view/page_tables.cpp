@@ -7,6 +7,7 @@
 
 #include "zonal/base/error.h"
 #include "zonal/io/half.h"
+#include "zonal/view/light_turn.h"
 #include "zonal/view/page_bytes.h"
 #include "zonal/view/rgb9e5.h"
 #include "zonal/view/shader_source.h"
@@ -161,6 +162,13 @@ Array uniforms(const ViewData& light) {
   return list;
 }
 
+/// As floats: what a page makes of them are floats.
+Array quarter_turn() {
+  Array list;
+  for (const double entry : quarter_turn_blocks()) list.push_back(static_cast<float>(entry));
+  return list;
+}
+
 /// In `whole` steps from 0 to 1; negative numbers as in a signed short.
 std::uint16_t in_steps(float value, int whole) {
   return static_cast<std::uint16_t>(std::lround(std::clamp(value, -1.0f, 1.0f) * static_cast<float>(whole)));
@@ -236,6 +244,7 @@ JsonValue view_page_tables(const ViewData& light, const ViewPageOptions& options
                 {"shaders", shaders()},
                 {"textures", std::move(pictures)},
                 {"uniforms", uniforms(light)},
+                {"quarter_turn_blocks", quarter_turn()},
                 {"meshes", std::move(objects)},
                 {"bytes", bytes.text()}};
 }

@@ -71,22 +71,13 @@ std::string basis_function() {
          "}\n";
 }
 
-/// The uniform coefficients times the basis and a weight for each band, the light turned about +Z by the angle whose
-/// cosine and sine are `turn`: the coefficients of m and -m turn into each other by m times the angle.
+/// The coefficients, turned or not, times the basis and a weight for each band.
 std::string sum_function() {
-  std::string powers = "  vec2 turn0 = vec2(1.0, 0.0)";
-  for (int m = 1; m < 6; ++m) {
-    powers += fmt::format(
-        ", turn{0} = vec2(turn{1}.x * turn.x - turn{1}.y * turn.y, turn{1}.x * turn.y + turn{1}.y * turn.x)", m, m - 1);
-  }
-  return "vec3 sh_sum(vec3 d, vec2 turn, float weights[6]) {\n" + powers + ";\n  vec3 sum = vec3(0.0);\n" +
-         basis_steps([](int l, int m) {
+  return "vec3 sh_sum(vec3 d, float weights[6]) {\n  vec3 sum = vec3(0.0);\n" + basis_steps([](int l, int m) {
            const int zero = l * (l + 1);
-           if (m == 0) return fmt::format("sum += weights[{}] * now * sh[{}];", l, zero);
-           return fmt::format(
-               "sum += weights[{0}] * now * (c * (turn{1}.x * sh[{2}] - turn{1}.y * sh[{3}]) + "
-               "s * (turn{1}.y * sh[{2}] + turn{1}.x * sh[{3}]));",
-               l, m, zero + m, zero - m);
+           if (m == 0) return fmt::format("sum += weights[{}] * now * sh_turned[{}];", l, zero);
+           return fmt::format("sum += weights[{}] * now * (c * sh_turned[{}] + s * sh_turned[{}]);", l, zero + m,
+                              zero - m);
          }) +
          "  return sum;\n}\n";
 }

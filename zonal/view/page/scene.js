@@ -21,12 +21,12 @@ class Scene {
 
   numbers(values, width, height, measure) {
     const technique = this.data.techniques.find((t) => t.id === values.technique);
-    const turn = values.light_yaw_deg * Math.PI / 180, c = Math.cos(turn), s = Math.sin(turn);
     return {
       ...this.light,
       ...values,
       ...cameraMatrices(values, width / height),
-      light_from_world: Float32Array.of(c, -s, 0, s, c, 0, 0, 0, 1),
+      light_from_world: lightFromWorld(values),
+      sh_turned: turnedCoefficients(this.light.sh, values, this.data.quarter_turn_blocks),
       split_px: 0.5 * width,
       measure: measure ? 1 : 0,
       time_s: performance.now() / 1000,

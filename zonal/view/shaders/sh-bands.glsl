@@ -8,7 +8,5 @@ vec3 shade(Surface s) {
     float window = window_kind == 0 ? 1.0 : l < 3 ? low[l] : high[l - 3];
     weights[l] = float(l) + 0.5 < bands ? cosine_factors[l] * window : 0.0;
   }
-  bool by_normal = turn_by == 0;
-  vec2 turn = by_normal ? vec2(1.0, 0.0) : vec2(light_from_world[0][0], light_from_world[1][0]);
-  return albedo * tinted(sh_sum(by_normal ? in_light(s.normal) : s.normal, turn, weights));
+  return albedo * tinted(sh_sum(turn_by == 0 ? in_light(s.normal) : s.normal, weights));
 }

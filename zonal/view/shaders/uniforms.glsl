@@ -18,6 +18,7 @@ uniform sampler2D reflection_space;    // tiles of eyes, each an octahedral map 
 uniform sampler2D homework_table;      // a light set a row, its nine coefficients across
 
 uniform vec3 sh[36];                   // radiance, six bands, l(l+1)+m
+uniform vec3 sh_turned[36];            // the same, turned with the light where turn_by asks for it
 uniform float cosine_factors[6];       // of the clamped cosine over pi
 uniform float lecture_constants[5];    // k1..k5 of Ramamoorthi and Hanrahan's polynomial
 uniform vec4 shading_constants[7];     // Sloan's seven vectors
