@@ -7,8 +7,8 @@
 
 namespace zonal {
 
-BackgroundWork::BackgroundWork(std::function<void()> wake)
-    : wake_(std::move(wake)), thread_([this](std::stop_token stop) { work(stop); }) {}
+BackgroundWork::BackgroundWork(std::function<void()> wake, const Run& like)
+    : wake_(std::move(wake)), like_(like), thread_([this](std::stop_token stop) { work(stop); }) {}
 
 BackgroundWork::~BackgroundWork() {
   {
@@ -78,7 +78,7 @@ WorkResult BackgroundWork::result_of(Waiting& waiting, const Run& run) {
 
 void BackgroundWork::work(std::stop_token stop) {
   while (true) {
-    Run run;
+    Run run = like_;
     Waiting task;
     {
       std::unique_lock lock(mutex_);

@@ -34,7 +34,8 @@ class BackgroundWork {
   /// Does its work and returns what to do with it in the window, by collect()'s caller. What it throws is a message.
   using Task = std::function<std::function<void()>(const Run&)>;
 
-  explicit BackgroundWork(std::function<void()> wake);
+  /// Tasks run as `like` says: on as many threads, by the same executor and instruction set.
+  explicit BackgroundWork(std::function<void()> wake, const Run& like = {});
   /// Stops what runs and waits for it.
   ~BackgroundWork();
   BackgroundWork(const BackgroundWork&) = delete;
@@ -63,6 +64,7 @@ class BackgroundWork {
   WorkResult result_of(Waiting&, const Run&);
 
   std::function<void()> wake_;
+  Run like_;  // its progress and its stop are not those of a task
   mutable std::mutex mutex_;
   std::condition_variable_any changed_;
   std::optional<Waiting> waiting_;

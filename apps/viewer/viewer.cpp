@@ -36,9 +36,9 @@ Viewer::Viewer(ViewerOptions options, std::function<void()> wake)
     : state_(std::move(options.state)),
       mesh_options_(options.mesh),
       exposure_is_given_(state_.controls.contains("exposure_ev")),
-      light_work_(wake),
-      mesh_work_(wake),
-      live_work_(wake) {
+      light_work_(wake, options.run),
+      mesh_work_(wake, options.run),
+      live_work_(wake, options.run) {
   open_mesh(state_.mesh);
   open_light(std::move(options.light_name), std::move(options.light));
 }

@@ -33,6 +33,7 @@ struct ViewerOptions {
   LightLoader light;
   std::string light_name;
   MeshLoadOptions mesh;
+  Run run;  ///< threads, executor and instruction set of all that runs in the background
 };
 
 /// What a window shows and what can be done with it, without the window: the settings, the scene, and the work behind

@@ -10,7 +10,7 @@ namespace zonal {
 #ifdef ZONAL_HAS_WINDOW
 void open_view_window(const ViewState& state, std::string light_name, std::function<Environment(const Run&)> light,
                       const MeshLoadOptions& mesh, Call& call) {
-  run_viewer({state, std::move(light), std::move(light_name), mesh}, call.run);
+  run_viewer({state, std::move(light), std::move(light_name), mesh, call.run}, call.run);
 }
 #else
 void open_view_window(const ViewState&, std::string, std::function<Environment(const Run&)>, const MeshLoadOptions&,

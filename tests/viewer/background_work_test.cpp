@@ -72,6 +72,28 @@ TEST_F(BackgroundWorkTest, DeliversOnTheThreadThatCollects) {
   EXPECT_FALSE(work.collect()) << "a result is given once";
 }
 
+TEST_F(BackgroundWorkTest, RunsAsItsCallerDoes) {
+  int tasks = 0;
+  const Executor executor = [&](int count, const std::function<void(int)>& task) {
+    ++tasks;
+    for (int i = 0; i < count; ++i) task(i);
+  };
+  BackgroundWork other([] {}, {.threads = 3, .executor = executor, .isa = Isa::kBaseline});
+  zonal::Run seen;
+  std::latch done(1);
+  other.replace("look", [&](const zonal::Run& run) {
+    seen = run;
+    run.executor(1, [](int) {});
+    done.count_down();
+    return [] {};
+  });
+  done.wait();
+  EXPECT_EQ(seen.threads, 3);
+  EXPECT_EQ(seen.isa, Isa::kBaseline);
+  EXPECT_EQ(tasks, 1);
+  EXPECT_TRUE(seen.progress) << "progress is the window's";
+}
+
 TEST_F(BackgroundWorkTest, ShowsHowFarItIs) {
   std::latch shown(1), begun(1);
   work.replace("long", [&](const zonal::Run& run) {
