@@ -46,6 +46,7 @@
 #include "zonal/light/model_sky_fit.h"
 #include "zonal/light/normalise.h"
 #include "zonal/light/orient.h"
+#include "zonal/light/phong_reflectance.h"
 #include "zonal/light/project.h"
 #include "zonal/light/rearrange.h"
 #include "zonal/light/reference.h"
