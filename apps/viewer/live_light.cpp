@@ -25,7 +25,7 @@ constexpr int kGlossyPx = 64, kMattePx = 32;  // faces
 constexpr int kBands = 128;                   // of a filtered map while the hand moves; sharper lobes are widened
 
 /// Pictures in the eye's frame, which know of the light's mean alone.
-constexpr std::array<std::string_view, 2> kTurnless = {"highlight_map", "highlight_drawn"};
+constexpr std::array<std::string_view, 3> kTurnless = {"highlight_map", "highlight_drawn", "highlight_own"};
 /// What live_light() makes, beside all that add_light_uniforms() does.
 constexpr std::array<std::string_view, 10> kMade = {
     "environment", "environment_small", "environment_mips", "environment_cube", "irradiance_map",

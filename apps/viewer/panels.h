@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "apps/viewer/picture_texture.h"
 #include "apps/viewer/viewer.h"
 
 namespace zonal {
@@ -9,16 +10,28 @@ namespace zonal {
 // The parts of the window beside the picture. They draw what the viewer knows and call its verbs; what they keep
 // themselves is what a person is typing.
 
+/// The brush as a person has set it.
+struct PaintState {
+  float radius = 0.12f, brightness = 3, color[3] = {1, 1, 1};
+  bool erases = false;
+  std::string path;
+  int shown_edition = -1;  // of the viewer's highlight
+  PictureTexture shown;
+};
+
 /// What has no place in the viewer.
 struct PanelState {
   std::string light_path, mesh_path, screenshot_path = "zonal-view.png", settings;
   bool settings_are_typed = false;
+  PaintState paint;
 };
 
 /// All techniques in their chapters, and what the chosen one is.
 void draw_technique_panel(Viewer&);
 /// Sliders, lists and marks as the table of controls has them: the common ones, those of the technique.
 void draw_control_panel(Viewer&);
+/// A disc to paint a highlight on, where the settings ask for a person's own.
+void draw_highlight_panel(Viewer&, PaintState&);
 /// The light and the object: names, files, turning, how long a turn takes.
 void draw_light_panel(Viewer&, PanelState&);
 /// The difference to the exact answer, time of drawing, screenshot, settings.

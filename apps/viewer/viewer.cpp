@@ -9,6 +9,7 @@
 #include "zonal/base/error.h"
 #include "zonal/io/environment_file.h"
 #include "zonal/io/file.h"
+#include "zonal/io/picture.h"
 #include "zonal/io/png.h"
 #include "zonal/view/light_turn.h"
 
@@ -38,7 +39,9 @@ Viewer::Viewer(ViewerOptions options, std::function<void()> wake)
       exposure_is_given_(state_.controls.contains("exposure_ev")),
       light_work_(wake, options.run),
       mesh_work_(wake, options.run),
-      live_work_(wake, options.run) {
+      live_work_(wake, options.run),
+      highlight_work_(wake, options.run) {
+  if (options.highlight) highlight_.replace(std::move(*options.highlight));
   open_mesh(state_.mesh);
   open_light(std::move(options.light_name), std::move(options.light));
 }
@@ -169,8 +172,36 @@ void Viewer::use_live(std::shared_ptr<const LiveLight> live) {
 }
 
 void Viewer::upload_light() {
-  if (light_) scene_.set_light(live_ ? live_->data : *light_);
+  if (light_) {
+    scene_.set_light(live_ ? live_->data : *light_);
+    upload_highlight();
+  }
   stale();
+}
+
+void Viewer::upload_highlight() { scene_.set_texture(own_highlight_texture(highlight_.picture())); }
+
+void Viewer::paint_highlight(double u, double v, const Brush& brush) {
+  highlight_.stroke_to(u, v, brush);
+  upload_highlight();
+  stale();
+}
+
+void Viewer::replace_highlight(Image<Rgb> picture) {
+  highlight_.replace(std::move(picture));
+  upload_highlight();
+  stale();
+}
+
+void Viewer::open_highlight(std::filesystem::path path) {
+  std::string title = "highlight: " + path.filename().string();
+  highlight_work_.replace(std::move(title), [this, path = std::move(path)](const Run& run) {
+    auto picture = std::make_shared<Image<Rgb>>(own_highlight(load_picture(path, {}, run).pixels));
+    return [this, picture] {
+      replace_highlight(std::move(*picture));
+      set_control("highlight_source", control_named("highlight_source").greatest);
+    };
+  });
 }
 
 void Viewer::find_used() {
@@ -207,7 +238,7 @@ void Viewer::save_screenshot(std::filesystem::path path) { screenshot_ = std::mo
 
 std::vector<WorkProgress> Viewer::progress() const {
   std::vector<WorkProgress> all;
-  for (const BackgroundWork* work : {&light_work_, &mesh_work_}) {
+  for (const BackgroundWork* work : {&light_work_, &mesh_work_, &highlight_work_}) {
     if (std::optional<WorkProgress> progress = work->progress()) all.push_back(std::move(*progress));
   }
   return all;
@@ -216,6 +247,7 @@ std::vector<WorkProgress> Viewer::progress() const {
 void Viewer::cancel() {
   light_work_.cancel();
   mesh_work_.cancel();
+  highlight_work_.cancel();
 }
 
 void Viewer::say(ViewerMessage message) {
@@ -276,6 +308,7 @@ bool Viewer::advance(ImageSize size) {
   collect(light_work_);
   collect(mesh_work_);
   collect(live_work_);
+  collect(highlight_work_);
   if (!light_ || !has_mesh_) return false;
   const bool was_done = picture_.done() && size == picture_.size();
   if (!was_done) draw(size);
@@ -293,7 +326,7 @@ bool Viewer::advance(ImageSize size) {
 }
 
 bool Viewer::idle() const {
-  const bool works = light_work_.busy() || mesh_work_.busy() || live_work_.busy();
+  const bool works = light_work_.busy() || mesh_work_.busy() || live_work_.busy() || highlight_work_.busy();
   return !works && light_ && has_mesh_ && picture_.done() && (difference_ || difference_failed_);
 }
 

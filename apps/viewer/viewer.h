@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "apps/viewer/background_work.h"
+#include "apps/viewer/highlight_painter.h"
 #include "apps/viewer/live_light.h"
 #include "apps/viewer/scene_picture.h"
 #include "zonal/gl/scene.h"
@@ -34,6 +35,7 @@ struct ViewerOptions {
   std::string light_name;
   MeshLoadOptions mesh;
   Run run;  ///< threads, executor and instruction set of all that runs in the background
+  std::optional<Image<Rgb>> highlight = {};  ///< a person's own, as own_highlight() gives it
 };
 
 /// What a window shows and what can be done with it, without the window: the settings, the scene, and the work behind
@@ -70,6 +72,14 @@ class Viewer {
   /// Whether the technique shows it; if not, its lookups are turned in place of the light.
   bool is_live_possible() const { return live_possible_; }
 
+  /// A person's own highlight: painted, the object follows at once, or a picture file, read in the background and then
+  /// chosen.
+  const HighlightPainter& highlight() const { return highlight_; }
+  void paint_highlight(double u, double v, const Brush&);
+  void end_highlight_stroke() { highlight_.end_stroke(); }
+  void replace_highlight(Image<Rgb>);
+  void open_highlight(std::filesystem::path);
+
   /// As soon as the picture is done.
   void save_screenshot(std::filesystem::path);
 
@@ -100,6 +110,7 @@ class Viewer {
   void use_light(std::shared_ptr<const ViewData>, std::string name);
   void use_live(std::shared_ptr<const LiveLight>);
   void upload_light();
+  void upload_highlight();
   void find_used();
   void draw(ImageSize);
   void measure();
@@ -119,11 +130,12 @@ class Viewer {
   const Technique* last_drawn_ = nullptr;  // that the driver took
   Scene scene_;
   ScenePicture picture_;
+  HighlightPainter highlight_;
   std::optional<Difference> difference_;
   bool difference_failed_ = false;
   std::filesystem::path screenshot_;
   std::deque<ViewerMessage> messages_;
-  BackgroundWork light_work_, mesh_work_, live_work_;  // last: their tasks end first
+  BackgroundWork light_work_, mesh_work_, live_work_, highlight_work_;  // last: their tasks end first
 };
 
 /// A path that a mesh reader is meant for, by its end.

@@ -124,7 +124,10 @@ bool ViewerWindow::draw_frame() {
   ImGui::Begin("panels", nullptr, kFlags);
   constexpr ImGuiTreeNodeFlags kOpen = ImGuiTreeNodeFlags_DefaultOpen;
   if (ImGui::CollapsingHeader("Technique", kOpen)) draw_technique_panel(viewer_);
-  if (ImGui::CollapsingHeader("Controls", kOpen)) draw_control_panel(viewer_);
+  if (ImGui::CollapsingHeader("Controls", kOpen)) {
+    draw_highlight_panel(viewer_, panels_.paint);
+    draw_control_panel(viewer_);
+  }
   if (ImGui::CollapsingHeader("Picture", kOpen)) draw_picture_panel(viewer_, panels_);
   if (ImGui::CollapsingHeader("Light and object", kOpen)) draw_light_panel(viewer_, panels_);
   ImGui::End();

@@ -13,7 +13,9 @@
 #include "apps/zonal/view_window.h"
 #include "zonal/base/error.h"
 #include "zonal/io/file.h"
+#include "zonal/io/picture.h"
 #include "zonal/light/synthetic.h"
+#include "zonal/view/own_highlight.h"
 #include "zonal/view/page.h"
 #include "zonal/view/view_data.h"
 #include "zonal/view/view_state.h"
@@ -24,7 +26,7 @@ namespace {
 struct ViewOptions {
   InputOptions input;
   std::string technique, mesh, settings;
-  std::filesystem::path screenshot, sheet, html;
+  std::filesystem::path screenshot, sheet, html, highlight;
   std::string size = "1280x720";
   MeshLoadOptions mesh_loading;
   bool list = false;
@@ -51,10 +53,21 @@ ViewState state_of(const ViewOptions& options) {
   const auto add = [&](const char* name, const std::string& value) {
     if (!value.empty()) text += fmt::format("{}{}={}", text.empty() ? "" : "&", name, value);
   };
+  // A highlight of one's own is to be seen, unless other settings say otherwise: those that come later count.
+  if (!options.highlight.empty()) {
+    text = "technique=highlight-map&highlight_source=2" + (text.empty() ? text : "&" + text);
+  }
   add("technique", options.technique);
   ViewState state = parse_state(text);
   if (!options.mesh.empty()) state.mesh = options.mesh;  // a path may have any characters in it
   return state;
+}
+
+std::optional<Image<Rgb>> highlight_of(const ViewOptions& options, Call& call) {
+  if (options.highlight.empty()) return std::nullopt;
+  const Picture picture = load_picture(options.highlight, {}, call.run);
+  for (const std::string& note : picture.notes) call.console.note(note);
+  return own_highlight(picture.pixels);
 }
 
 void list_techniques(Call& call) {
@@ -97,7 +110,7 @@ void open_window(const ViewOptions& options, const ViewState& state, Call& call)
     background.run = run;
     return panorama_of(options, background);
   };
-  open_view_window(state, light_name(options), light, options.mesh_loading, call);
+  open_view_window(state, light_name(options), light, options.mesh_loading, highlight_of(options, call), call);
 }
 
 void run_view(const ViewOptions& options, Call& call) {
@@ -105,8 +118,9 @@ void run_view(const ViewOptions& options, Call& call) {
   ViewState state = state_of(options);
   const bool page = !options.html.empty(), picture = !options.screenshot.empty() || !options.sheet.empty();
   if (!page && !picture) return open_window(options, state, call);
-  const ViewData data =
-      view_data(panorama_of(options, call), page ? view_page_data_options() : ViewDataOptions(), call.run);
+  std::optional<Image<Rgb>> highlight = highlight_of(options, call);
+  ViewData data = view_data(panorama_of(options, call), page ? view_page_data_options() : ViewDataOptions(), call.run);
+  if (highlight) set_own_highlight(data, std::move(*highlight));
   if (page) write_page(data, state, options, call);
   if (!picture) return;
   if (!state.controls.contains("exposure_ev")) state.set("exposure_ev", std::round(4 * data.exposure_ev) / 4);
@@ -132,6 +146,11 @@ void add_view(CLI::App& app, Call& call) {
   add_choice(verb, "--mesh-up", options->mesh_loading.up, mesh_up_named, "format, y or z",
              "the axis of a mesh file that points up; format: Y in OBJ and glTF, Z in PLY")
       ->group(kGroup);
+  verb.add_option(
+          "--highlight", options->highlight,
+          "any picture as the sphere map of the technique highlight-map: its middle square is the object as the "
+          "eye sees it")
+      ->group(kGroup);
   verb.add_option("--set", options->settings, "settings, as a page keeps them in its address: \"roughness=0.4&yaw=30\"")
       ->group(kGroup);
   verb.add_option("--screenshot", options->screenshot, "draws one picture, without a display")->group(kGroup);
@@ -152,6 +171,7 @@ void add_view(CLI::App& app, Call& call) {
       "  zonal view sunset.hdr --technique split-sum --screenshot ball.png\n"
       "  zonal view sunset.hdr --mesh torus-knot --set \"technique=sh-bands&bands=3&compare=3\" --screenshot knot.png\n"
       "  zonal view sunset.hdr --sheet techniques.svg\n"
+      "  zonal view sunset.hdr --highlight window.png --screenshot glint.png\n"
       "  zonal view sunset.hdr --html sunset.html\n"
       "  zonal view --list");
   verb.callback([options, &call] { run_view(*options, call); });

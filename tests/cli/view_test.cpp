@@ -36,6 +36,27 @@ TEST_F(SlowCliView, ASheetHasEveryTechniqueWithItsDifference) {
   EXPECT_NE(svg.find(">Ambient cube<"), std::string::npos) << "what a picture is stands under it";
 }
 
+TEST_F(SlowCliView, AHighlightOfOnesOwnIsShown) {
+  if (!can_draw()) GTEST_SKIP() << "no OpenGL without a display";
+  good({"testcard", "--size", "64", "-o", "card.png", "-q"});
+  const auto picture = [&](const std::string& name, std::vector<std::string> more) {
+    std::vector<std::string> words = {"view", "sky.exr", "--screenshot", name, "--size", "64x64", "-q"};
+    words.insert(words.end(), more.begin(), more.end());
+    good(words);
+    return bytes_of(path(name));
+  };
+  const std::string own = picture("own.png", {"--highlight", "card.png"});
+  EXPECT_NE(own, picture("none.png", {"--set", "technique=highlight-map&highlight_source=2"}));
+  EXPECT_NE(own, picture("weak.png", {"--highlight", "card.png", "--set", "highlight_strength=0.5"}));
+  EXPECT_EQ(picture("other.png", {"--highlight", "card.png", "--technique", "cube-map"}),
+            picture("cube.png", {"--technique", "cube-map"}))
+      << "another technique does not look at it";
+  good({"view", "sky.exr", "--highlight", "card.png", "--html", "own.html", "-q"});
+  EXPECT_NE(bytes_of(path("own.html")).find("technique=highlight-map"), std::string::npos);
+  write("text.png", "no picture");
+  bad(3, {"view", "sky.exr", "--highlight", "text.png", "--html", "a.html"}, "text.png");
+}
+
 TEST_F(SlowCliView, WhatIsWrongIsSaid) {
   bad(2, {"view", "sky.exr", "--screenshot", "a.png", "--size", "12"}, "'12' is not a size");
   bad(2, {"view", "sky.exr", "--screenshot", "a.png", "--size", "0x5"}, "is not a size");

@@ -4,6 +4,7 @@ import {existsSync, readFileSync} from 'node:fs';
 import {pathToFileURL} from 'node:url';
 import {checkAddress} from './address.mjs';
 import {checkControls} from './controls.mjs';
+import {checkHighlight} from './highlight.mjs';
 import {compare, newPage, pixels} from './page.mjs';
 import {size, states, tables} from './states.mjs';
 
@@ -60,6 +61,7 @@ const expect = (ok, what) => { ++checks; if (!ok) failures.push(what); };
 
 await checkControls(browser, address, expect);
 await checkAddress(browser, address, expect);
+await checkHighlight(browser, address, new URL('own.html', address).href, expect);
 
 // The context is lost and comes back.
 {

@@ -15,6 +15,7 @@ const known = {
   difference_gain: {state: 'technique=ambient-cube&compare=2'},
   albedo: {state: 'technique=irradiance-map', does: 'brighter'},
   ambient_light: {does: 'brighter', from: 0, to: 1},
+  ambient_brdf: {state: 'technique=lambert&ambient_light=2', from: 0, to: 3},
   bump_depth: {does: 'rougher'},
   highlight_strength: {does: 'brighter'},
   blur_level: {does: 'smoother'},
@@ -24,6 +25,7 @@ const known = {
   bands: {state: 'technique=sh-bands&tint_negative=0', from: 1, to: 3, does: 'rougher'},
   window_kind: {state: 'technique=sh-bands&window_strength=1&bands=6'},
   tint_negative: {page: 'sun.html', state: 'technique=sh-bands&bands=4'},
+  highlight_source: {from: 0, to: 2},
   yaw: {from: 0, to: 90},
   turn_by: {state: 'technique=TECHNIQUE&bands=6&light_yaw_deg=50&light_pitch_deg=-35&light_roll_deg=110', does: 'nothing'},
   // The technique does not see the size of a lamp; its exact answer does, where the horizon cuts it.
@@ -144,7 +146,7 @@ export const checkControls = async (browser, address, expect) => {
   await page.keyboard.press('+');
   expect(await field('yaw') === yaw + 5 - (yaw + 5 > 180 ? 360 : 0), 'the arrow keys do not turn the eye');
   expect(await field('distance') < distance, 'plus does not bring the object nearer');
-  const box = await page.locator('canvas').boundingBox(), x = box.x + box.width / 2, y = box.y + box.height / 2;
+  const box = await page.locator('.zv-picture canvas').boundingBox(), x = box.x + box.width / 2, y = box.y + box.height / 2;
   const pitch = await field('pitch');
   await page.mouse.move(x, y);
   await page.mouse.down();

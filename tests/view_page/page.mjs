@@ -62,7 +62,7 @@ export const newPage = async (browser, viewport, expect, where, colorScheme = 'l
 
 // What the canvas shows: {url, colors}.
 export const pixels = async ({page}) => {
-  const png = await page.locator('canvas').screenshot();
+  const png = await page.locator('.zv-picture canvas').screenshot();
   const url = 'data:image/png;base64,' + png.toString('base64');
   return {url, colors: await page.evaluate(countColors, url)};
 };

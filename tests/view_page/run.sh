@@ -13,7 +13,12 @@ in_browser_folder "$work" "$here" "$here"/*.mjs
 # A small sun makes few bands ring below zero.
 "$zonal" sky sun --contrast 1000000 --diameter 4 --azimuth 0 --elevation 30 --size 256 -o sun.exr --quiet
 "$zonal" view sun.exr --html sun.html --quiet 2>log || { cat log; exit 1; }
-rm -rf desktop
+# A highlight from a file, and a file that is no picture.
+"$zonal" testcard --size 128 -o card.png --quiet
+echo "no picture" >text.png
+"$zonal" view sky.exr --highlight card.png --html own.html --quiet 2>log || { cat log; exit 1; }
+rm -rf desktop own.png
+"$zonal" view sky.exr --highlight card.png --html again.html --set yaw=30 --size 320x240 --screenshot own.png --quiet 2>log || cat log
 mkdir desktop
 node states.mjs | while read -r name size state; do
   "$zonal" view sky.exr --html again.html --set "$state" --size "$size" --screenshot "desktop/$name.png" --quiet >"desktop/$name.txt" 2>log ||

@@ -36,6 +36,8 @@ Environment small_sky(const Run& run) {
   return daylight_sky({Layout::kEquirect}, image_size(Layout::kEquirect, 128), {}, run);
 }
 
+Image<Rgb> painted_card() { return testcard({Layout::kEquirect}, image_size(Layout::kEquirect, 64)).radiance; }
+
 class ViewerWindowTest : public testing::Test {
  protected:
   ViewerWindowTest() {
@@ -247,6 +249,39 @@ TEST_F(ViewerWindowTest, AScreenshotIsThePicture) {
   EXPECT_EQ(same, shown.size());
   viewer().save_screenshot(folder_ / "no folder" / "shot.png");
   EXPECT_TRUE(frames_until([&] { return is_told("no folder"); })) << "a failure is a message";
+}
+
+TEST_F(ViewerWindowTest, AHighlightIsPaintedAndTheObjectFollows) {
+  viewer().set_technique(*technique_named("highlight-map"));
+  viewer().set_control("highlight_source", 2);
+  const Image<Rgb8> plain = rest();
+  double longest_ms = 0;
+  for (int i = 0; i <= 20; ++i) {  // a frame for every point, as the panel does it
+    const auto start = Clock::now();
+    viewer().paint_highlight(0.25 + 0.02 * i, 0.35, {.radius = 0.1, .light = {3, 2, 1}});
+    longest_ms = std::max(longest_ms, std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+    window().window().poll();
+    window().frame();
+  }
+  std::printf("the longest of 21 dabs took %.1f ms\n", longest_ms);
+  viewer().end_highlight_stroke();
+  const Image<Rgb8> painted = rest();
+  EXPECT_GT(changed(plain, painted), 0.02);
+  keep_window("painted");
+  viewer().open_light("sky", small_sky);
+  EXPECT_EQ(changed(painted, rest()), 0) << "it outlives the light";
+  viewer().replace_highlight(Image<Rgb>(kOwnHighlightPx, kOwnHighlightPx));
+  EXPECT_EQ(changed(plain, rest()), 0);
+
+  viewer().set_control("highlight_source", 0);
+  save_picture(painted_card(), folder_ / "card.png");
+  viewer().open_highlight(folder_ / "card.png");
+  EXPECT_TRUE(frames_until([&] { return viewer().state().value("highlight_source") == 2; }));
+  EXPECT_GT(changed(plain, rest()), 0.02);
+  viewer().open_highlight(write("text.png", "no picture"));
+  EXPECT_TRUE(frames_until([&] { return is_told("text.png"); }));
+  viewer().set_control("highlight_source", 0);
+  viewer().set_technique(all_techniques()[0]);
 }
 
 TEST_F(ViewerWindowTest, LongWorkCanBeWatchedCancelledAndReplaced) {

@@ -3,7 +3,6 @@
 #include <epoxy/gl.h>
 
 #include <cmath>
-#include <cstddef>
 #include <limits>
 
 #include "zonal/gl/target.h"
@@ -16,29 +15,18 @@ namespace {
 // Values of the uniform `measure`, beside those of Measured.
 constexpr int kColors = 0, kSquares = 1;
 
-void add_attribute(std::uint32_t place, int components, std::size_t offset) {
-  glEnableVertexAttribArray(place);
-  glVertexAttribPointer(place, components, GL_FLOAT, GL_FALSE, sizeof(Vertex), reinterpret_cast<const void*>(offset));
-}
-
 }  // namespace
 
 Scene::Scene() {
   glGenVertexArrays(1, &empty_array_);
-  glGenVertexArrays(1, &mesh_array_);
-  glGenBuffers(1, &vertices_);
-  glGenBuffers(1, &indices_);
   glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   background_.emplace(background_vertex_shader(ShaderHome::kDesktop), background_fragment_shader(ShaderHome::kDesktop),
                       "the background");
+  arrows_.emplace(arrow_vertex_shader(ShaderHome::kDesktop), arrow_fragment_shader(ShaderHome::kDesktop), "the arrows");
+  arrow_.emplace(arrow_mesh());
 }
 
-Scene::~Scene() {
-  glDeleteVertexArrays(1, &empty_array_);
-  glDeleteVertexArrays(1, &mesh_array_);
-  glDeleteBuffers(1, &vertices_);
-  glDeleteBuffers(1, &indices_);
-}
+Scene::~Scene() { glDeleteVertexArrays(1, &empty_array_); }
 
 void Scene::set_light(const ViewData& data) {
   textures_.clear();
@@ -46,19 +34,9 @@ void Scene::set_light(const ViewData& data) {
   uniforms_ = data.uniforms;
 }
 
-void Scene::set_mesh(const Mesh& mesh) {
-  glBindVertexArray(mesh_array_);
-  glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(Vertex)), mesh.vertices.data(),
-               GL_STATIC_DRAW);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)),
-               mesh.indices.data(), GL_STATIC_DRAW);
-  add_attribute(0, 3, offsetof(Vertex, position));
-  add_attribute(1, 3, offsetof(Vertex, normal));
-  add_attribute(2, 2, offsetof(Vertex, uv));
-  index_count_ = static_cast<int>(mesh.indices.size());
-}
+void Scene::set_texture(const ViewTexture& texture) { textures_.insert_or_assign(texture.name, GpuTexture(texture)); }
+
+void Scene::set_mesh(const Mesh& mesh) { mesh_.emplace(mesh); }
 
 const GpuProgram& Scene::program_of(const Technique& technique, bool alone) {
   const auto key = std::pair(technique.id, alone);
@@ -114,8 +92,14 @@ void Scene::draw_mesh(const ViewState& state, int width, int height, int measure
   const bool alone =
       measure == kColors ? state.value("compare") == 0 : measure == static_cast<int>(Measured::kTechnique);
   set_shared(program_of(*state.technique, alone), state, width, height, measure);
-  glBindVertexArray(mesh_array_);
-  glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+  if (mesh_) mesh_->draw();
+}
+
+void Scene::draw_arrows(const ViewState& state, int width, int height) {
+  const int lights = marked_lights(state);
+  if (lights == 0) return;
+  set_shared(*arrows_, state, width, height, kColors);
+  arrow_->draw(lights);
 }
 
 void Scene::draw_background(const ViewState& state, int width, int height, int measure) {
@@ -130,6 +114,7 @@ void Scene::draw(const ViewState& state, int width, int height) {
   glDepthFunc(GL_LEQUAL);
   glClear(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT);
   draw_mesh(state, width, height, kColors);
+  draw_arrows(state, width, height);
   draw_background(state, width, height, kColors);  // last, so that only what is seen of it is drawn
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "zonal/gl/gpu_mesh.h"
 #include "zonal/gl/program.h"
 #include "zonal/gl/texture.h"
 #include "zonal/view/mesh.h"
@@ -33,9 +34,12 @@ class Scene {
   Scene& operator=(const Scene&) = delete;
 
   void set_light(const ViewData&);
+  /// In place of the light's texture of this name, until there is another light.
+  void set_texture(const ViewTexture&);
   void set_mesh(const Mesh&);
 
-  /// Draws into the current target. Throws Error{kUsage} when the driver refuses a shader.
+  /// Draws into the current target: the object, arrows of the lights that it is shaded by, the background. Throws
+  /// Error{kUsage} when the driver refuses a shader.
   void draw(const ViewState&, int width, int height);
   /// Draws the technique and its exact answer once more, small, and compares them.
   Difference difference(const ViewState&, int width = 320, int height = 180);
@@ -46,15 +50,16 @@ class Scene {
   const GpuProgram& program_of(const Technique&, bool alone);
   void set_shared(const GpuProgram&, const ViewState&, int width, int height, int measure) const;
   void draw_mesh(const ViewState&, int width, int height, int measure);
+  void draw_arrows(const ViewState&, int width, int height);
   void draw_background(const ViewState&, int width, int height, int measure);
 
   std::map<std::string, GpuTexture, std::less<>> textures_;
   std::vector<ViewUniform> uniforms_;
   std::map<std::pair<std::string_view, bool>, GpuProgram>
       programs_;  // of the technique alone, and with the exact answer
-  std::optional<GpuProgram> background_;
-  std::uint32_t mesh_array_ = 0, empty_array_ = 0, vertices_ = 0, indices_ = 0;
-  int index_count_ = 0;
+  std::optional<GpuProgram> background_, arrows_;
+  std::optional<GpuMesh> mesh_, arrow_;
+  std::uint32_t empty_array_ = 0;
 };
 
 }  // namespace zonal

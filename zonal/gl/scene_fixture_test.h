@@ -12,6 +12,7 @@
 #include "zonal/gl/context.h"
 #include "zonal/gl/scene.h"
 #include "zonal/gl/technique_reference_test.h"
+#include "zonal/view/own_highlight.h"
 
 namespace zonal {
 
@@ -28,6 +29,7 @@ class SlowScene : public testing::Test {
     }
     panorama_ = lopsided_environment(small_view_data().panorama_px);
     data_ = view_data(panorama_, small_view_data());
+    set_own_highlight(data_, painted_highlight());
     scene_ = std::make_unique<Scene>();
     scene_->set_light(data_);
   }

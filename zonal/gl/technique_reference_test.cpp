@@ -10,6 +10,7 @@
 #include "zonal/light/brdf.h"
 #include "zonal/light/dfg.h"
 #include "zonal/light/extract.h"
+#include "zonal/light/lobe_lean.h"
 #include "zonal/light/model.h"
 #include "zonal/light/project.h"
 #include "zonal/light/reference.h"
@@ -22,6 +23,8 @@
 #include "zonal/sh/window.h"
 #include "zonal/sphere/mapping.h"
 #include "zonal/view/homework_lights.h"
+#include "zonal/view/own_highlight.h"
+#include "zonal/view/paint.h"
 #include "zonal/view/reflection_space.h"
 #include "zonal/view/view_pictures.h"
 #include "zonal/view/view_uniforms.h"
@@ -46,14 +49,19 @@ PointLight lambert(const Sh<RgbD>& radiance, const ViewState& state) {
   const ExtractedLights found = extract_lights(radiance, {.lights = 1, .refine = true});
   const double albedo = state.value("albedo"), alpha = alpha_from_roughness(state.value("roughness"));
   const int ambient = static_cast<int>(state.value("ambient_light"));
-  const double f0 = state.value("f0");
-  return [=, in_light = into_light(state)](const SurfacePoint& p) {
+  const double f0 = state.value("f0"), shininess = state.value("shininess");
+  const Brdf brdfs[] = {lambert_brdf({1, 1, 1}), phong_brdf(shininess), blinn_phong_brdf(shininess),
+                        ggx_brdf(alpha, {f0, f0, f0})};
+  const int kind = static_cast<int>(state.value("ambient_brdf"));
+  const double scale = kind == 0 ? albedo : kind == 3 ? 1 : f0;  // the last knows Fresnel's term by itself
+  return [=, brdf = brdfs[kind], in_light = into_light(state)](const SurfacePoint& p) {
     const ExtractedLight& light = found.lights.at(0);
     const RgbD direct = albedo / kPi * std::max(0.0, dot(in_light(p.normal), light.direction)) * light.irradiance;
     if (ambient == 0) return direct;
     if (ambient == 1) return direct + albedo * found.ambient;
     const double cosine = std::clamp(dot(p.normal, p.toward_eye), 1e-3, 1.0);
-    return direct + ambient_reflectance(ggx_brdf(alpha, {f0, f0, f0}), cosine, 1e-4).value * found.ambient;
+    const Reflectance part = ambient_reflectance(brdf, cosine, 1e-4);
+    return direct + scale * part.value * found.ambient;
   };
 }
 
@@ -110,7 +118,8 @@ struct Glossy {
 Glossy glossy(const std::vector<LitTexel>& texels, const Brdf& brdf, Vec3 n, Vec3 v) {
   // The BRDF knows a surface whose normal is +Z, seen from the half plane y = 0.
   const double cosine = dot(n, v);
-  const Vec3 x = normalize(v - cosine * n), y = cross(n, x), viewer = {dot(v, x), 0, cosine};
+  const Vec3 beside = v - cosine * n, any = cross(n, std::abs(n.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0});
+  const Vec3 x = normalize(length(beside) > 1e-9 ? beside : any), y = cross(n, x), viewer = {dot(v, x), 0, cosine};
   Glossy sum;
   for (const LitTexel& texel : texels) {
     const Vec3 l = {dot(texel.toward, x), dot(texel.toward, y), dot(texel.toward, n)};
@@ -122,17 +131,21 @@ Glossy glossy(const std::vector<LitTexel>& texels, const Brdf& brdf, Vec3 n, Vec
   return sum;
 }
 
-/// The four maps around the eye's place in the square of eyes, each summed anew for this mirrored direction.
+RgbD over(RgbD a, RgbD b) { return {a.r / b.r, a.g / b.g, a.b / b.b}; }
+
+/// The four maps around the eye's place in the square of eyes, each summed anew for this mean direction, at a roughness
+/// that there are maps for.
 PointLight reflection_space(const Environment& panorama, const ViewState& state) {
   const ReflectionSpaceOptions options;
   const std::vector<LitTexel> texels = texels_of(resample(panorama, {Layout::kEquirect}, options.environment_rows));
-  const double alpha = alpha_from_roughness(options.roughness), f0 = state.value("f0");
+  const double alpha = alpha_from_roughness(state.value("roughness")), f0 = state.value("f0");
+  const std::function<RgbD(Vec3)> split_sum = through(panorama, Lobe::ggx(alpha));
   const bool nearest = state.value("reflection_by") == 1;
-  return [=, brdf = ggx_brdf(alpha), square = Mapping({Layout::kOctahedral}, {1, 1}),
+  return [=, brdf = ggx_brdf(alpha), leaning = LobeLean(alpha), square = Mapping({Layout::kOctahedral}, {1, 1}),
           in_light = into_light(state)](const SurfacePoint& p) {
     const int last = options.views - 1;
     const PixelPoint place = *square.position(in_light(p.toward_eye));
-    const Vec3 r = in_light(mirrored(p));
+    const Vec3 m = leaning.mean(in_light(p.toward_eye), in_light(p.normal));
     const double x = last * place.x, y = last * place.y;
     const int x0 = std::min(static_cast<int>(x), last - 1), y0 = std::min(static_cast<int>(y), last - 1);
     RgbD mean;
@@ -142,13 +155,14 @@ PointLight reflection_space(const Environment& panorama, const ViewState& state)
         if (nearest) weight = std::lround(x) == x0 + i && std::lround(y) == y0 + j ? 1 : 0;
         if (weight == 0) continue;
         const Vec3 v = *square.direction({(x0 + i) / (1.0 * last), (y0 + j) / (1.0 * last)});
-        const Glossy sum = glossy(texels, brdf, normalize(v + r), v);
+        const Glossy sum = glossy(texels, brdf, leaning.normal(v, m), v);
         mean += weight / sum.white.g * sum.lit;
       }
     }
     const double cosine = std::clamp(dot(p.normal, p.toward_eye), 1e-3, 1.0);
     const SplitSum split = ggx_split_sum(cosine, alpha);
-    return (f0 * split.scale + split.bias) * mean;
+    const Glossy above = glossy(texels, brdf, m, m);
+    return (f0 * split.scale + split.bias) * split_sum(m) * over(above.white.g * mean, above.lit);
   };
 }
 
@@ -178,6 +192,16 @@ Environment lopsided_environment(int rows) {
     for (int x = 0; x < size.width; ++x) card.radiance(x, y) += slope.radiance(x, y);
   }
   return card;
+}
+
+Image<Rgb> painted_highlight() {
+  Stroke first(Image<Rgb>(kOwnHighlightPx, kOwnHighlightPx), {.radius = 0.2, .light = {3, 1, 0.2f}});
+  first.move_to(0.2, 0.3);
+  first.move_to(0.6, 0.2);
+  Stroke second(first.picture(), {.radius = 0.1, .light = {0, 0.5f, 2}});
+  second.move_to(0.4, 0.25);
+  second.move_to(0.7, 0.8);
+  return second.picture();
 }
 
 ViewDataOptions small_view_data() {
@@ -222,8 +246,14 @@ PointLight technique_reference(const Environment& panorama, const ViewState& sta
   }
   if (id == "highlight-map") {
     const auto axes = camera_matrices(state.camera, 1).eye_from_world;
-    const Image<Rgb> picture = state.value("highlight_source") == 0 ? highlight_picture(64, mean_radiance(radiance))
-                                                                    : drawn_highlight(64, mean_radiance(radiance));
+    const double source = state.value("highlight_source");
+    const RgbD mean = mean_radiance(radiance);
+    Image<Rgb> picture = source == 0   ? highlight_picture(64, mean)
+                         : source == 1 ? drawn_highlight(64, mean)
+                                       : painted_highlight();
+    if (source == 2) {
+      for (Rgb& value : picture.values()) value = static_cast<float>(kOwnHighlight * luminance(mean)) * value;
+    }
     const PointLight base = of_normal(state, through(panorama, Lobe::cosine()), albedo);
     return [=, strength = state.value("highlight_strength")](const SurfacePoint& p) {
       const double x = axes[0] * p.normal.x + axes[3] * p.normal.y + axes[6] * p.normal.z;
@@ -313,12 +343,9 @@ PointLight exact_reference(const Environment& panorama, const ViewState& state) 
       });
     }
     case Exact::kGlossy:
-    case Exact::kGlossyFixed:
       break;
   }
-  const bool fixed = state.technique->exact == Exact::kGlossyFixed;
-  const double f0 = state.value("f0"),
-               roughness = fixed ? ReflectionSpaceOptions().roughness : state.value("roughness");
+  const double f0 = state.value("f0"), roughness = state.value("roughness");
   const Brdf brdf = ggx_brdf(alpha_from_roughness(roughness), {f0, f0, f0});
   const auto texels = texels_of(resample(panorama, {Layout::kEquirect}, small_view_data().reference_rows));
   return [=, in_light = into_light(state)](const SurfacePoint& p) {

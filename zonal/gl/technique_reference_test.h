@@ -18,6 +18,9 @@ struct SurfacePoint {
 /// An environment without any symmetry: the labelled axes, a slope, and a coloured lamp off every axis.
 Environment lopsided_environment(int rows);
 
+/// A highlight of a person's own: two strokes of a brush.
+Image<Rgb> painted_highlight();
+
 /// Sizes small enough for sums over all texels for each pixel.
 ViewDataOptions small_view_data();
 

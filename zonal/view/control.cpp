@@ -11,13 +11,15 @@ namespace {
 constexpr std::array<std::string_view, 2> kToneCurves = {"Reinhard", "cut off at white"};
 constexpr std::array<std::string_view, 4> kComparisons = {"the technique", "the exact answer", "the difference",
                                                           "left and right"};
-constexpr std::array<std::string_view, 3> kAmbient = {"off", "on", "reflectance of the surface"};
+constexpr std::array<std::string_view, 3> kAmbient = {"off", "albedo, from everywhere alike",
+                                                      "reflectance toward the eye, R_A(v)"};
+constexpr std::array<std::string_view, 4> kAmbientBrdfs = {"Lambert", "Phong", "Blinn-Phong", "GGX"};
 constexpr std::array<std::string_view, 2> kViewpoints = {"the eye's (as in the lecture)", "the mirrored direction"};
 constexpr std::array<std::string_view, 4> kWindows = {"none", "Hann", "Lanczos", "Laplacian"};
 
 constexpr std::array<std::string_view, 2> kBumps = {"a picture of normals", "a picture of heights"};
 constexpr std::array<std::string_view, 4> kLookups = {"panorama", "cube map", "dual paraboloid map", "sphere map"};
-constexpr std::array<std::string_view, 2> kHighlights = {"computed, (n·h)^40", "drawn"};
+constexpr std::array<std::string_view, 3> kHighlights = {"computed, (n·h)^40", "drawn", "your own"};
 constexpr std::array<std::string_view, 2> kBacks = {"gets nothing (as published)", "shares the mean (two bands)"};
 constexpr std::array<std::string_view, 2> kTurns = {"the normal, the other way", "the coefficients"};
 constexpr std::array<std::string_view, 2> kLampShapes = {"ball", "square"};
@@ -45,6 +47,12 @@ constexpr Control kControls[] = {
      .greatest = 2,
      .initial = 1,
      .choices = kAmbient},
+    {.name = "ambient_brdf",
+     .label = "R_A of",
+     .kind = ControlKind::kChoice,
+     .greatest = 3,
+     .initial = 3,
+     .choices = kAmbientBrdfs},
     {.name = "viewpoint", .label = "looked up by", .kind = ControlKind::kChoice, .greatest = 1, .choices = kViewpoints},
     {.name = "bump_depth", .label = "bump depth", .greatest = 2, .initial = 1, .step = 0.05},
     {.name = "highlight_strength", .label = "highlight strength", .greatest = 2, .initial = 1, .step = 0.05},
@@ -65,7 +73,7 @@ constexpr Control kControls[] = {
     {.name = "highlight_source",
      .label = "highlight",
      .kind = ControlKind::kChoice,
-     .greatest = 1,
+     .greatest = 2,
      .choices = kHighlights},
     {.name = "vector_back",
      .label = "the back of a surface",

@@ -27,6 +27,9 @@ Mesh torus_knot_mesh(int detail = 256);
 /// A ball with bumps deep enough to stand before each other.
 Mesh bumpy_mesh(int detail = 192);
 
+/// A sign for light: a solid arrow along -Z, its tip at the origin, its tail at +Z 1; a cone on a cylinder.
+Mesh arrow_mesh(int detail = 32);
+
 /// "sphere", "torus-knot", "bumpy".
 std::span<const std::string_view> mesh_shape_names();
 /// std::logic_error for another name.

@@ -30,7 +30,7 @@ std::string filled(std::string text, std::string_view mark, std::string_view wit
 std::string script() {
   std::string text = "'use strict';\n(() => {\n";
   for (const char* stem : {"bytes", "settings", "camera", "light_turn", "gpu", "scene", "pace", "measure", "controls",
-                           "orbit", "panel", "viewer"}) {
+                           "orbit", "paint", "highlight", "panel", "viewer"}) {
     text += part(stem);
   }
   return text + "})();\n";

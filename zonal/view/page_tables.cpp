@@ -61,7 +61,7 @@ Array camera() {
 }
 
 /// The sums over texels for each pixel: slow on any card.
-bool is_sum(Exact exact) { return exact == Exact::kGlossy || exact == Exact::kGlossyFixed || exact == Exact::kPhong; }
+bool is_sum(Exact exact) { return exact == Exact::kGlossy || exact == Exact::kPhong; }
 
 /// The uniform marked_lights by the number of lights that people choose.
 Array marks(const Technique& technique) {
@@ -101,6 +101,7 @@ Object shaders() {
     const auto differ = std::mismatch(text.begin(), text.end(), background.begin(), background.end());
     shared = std::min(shared, static_cast<std::size_t>(differ.first - text.begin()));
   };
+  shorten(arrow_fragment_shader(ShaderHome::kWeb));
   for (const Technique& technique : all_techniques()) {
     shorten(technique_fragment_shader(ShaderHome::kWeb, technique));
     shorten(lone_technique_fragment_shader(ShaderHome::kWeb, technique));
@@ -114,6 +115,8 @@ Object shaders() {
           {"mesh_vertex", mesh_vertex_shader(ShaderHome::kWeb)},
           {"background_vertex", background_vertex_shader(ShaderHome::kWeb)},
           {"background", background.substr(shared)},
+          {"arrow_vertex", arrow_vertex_shader(ShaderHome::kWeb)},
+          {"arrow", arrow_fragment_shader(ShaderHome::kWeb).substr(shared)},
           {"compared", std::move(compared)},
           {"alone", std::move(alone)}};
 }
@@ -233,6 +236,7 @@ JsonValue view_page_tables(const ViewData& light, const ViewPageOptions& options
   PageBytes bytes;
   std::size_t cut_off = 0;
   Array pictures = textures(light, bytes, cut_off), objects = meshes(options, bytes);
+  Object arrow = mesh_table("arrow", arrow_mesh(), bytes);
   return Object{{"title", options.title},
                 {"subtitle", options.subtitle},
                 {"note", note(options, cut_off)},
@@ -246,6 +250,7 @@ JsonValue view_page_tables(const ViewData& light, const ViewPageOptions& options
                 {"uniforms", uniforms(light)},
                 {"quarter_turn_blocks", quarter_turn()},
                 {"meshes", std::move(objects)},
+                {"arrow", std::move(arrow)},
                 {"bytes", bytes.text()}};
 }
 

@@ -99,8 +99,6 @@ std::string_view exact_stem(Exact exact) {
       return "exact_glossy";
     case Exact::kBentMirror:
       return "exact_bent_mirror";
-    case Exact::kGlossyFixed:
-      return "exact_glossy_fixed";
     case Exact::kLamp:
       return "exact_lamp";
     case Exact::kNine:
@@ -156,5 +154,11 @@ std::string background_vertex_shader(ShaderHome home) {
 std::string background_fragment_shader(ShaderHome home) {
   return shared(home) + std::string(shader_body("background"));
 }
+
+std::string arrow_vertex_shader(ShaderHome home) {
+  return head(home) + std::string(shader_body("uniforms")) + std::string(shader_body("arrow_vertex"));
+}
+
+std::string arrow_fragment_shader(ShaderHome home) { return shared(home) + std::string(shader_body("arrow")); }
 
 }  // namespace zonal

@@ -23,6 +23,10 @@ std::string lone_technique_fragment_shader(ShaderHome, const Technique&);
 /// A triangle over the whole picture, without attributes, and the environment behind the object.
 std::string background_vertex_shader(ShaderHome);
 std::string background_fragment_shader(ShaderHome);
+/// An arrow_mesh() for each of the first marked_lights instances, from its light toward the object. Its area is in
+/// proportion to the light's share of all light, its hue is the light's; the tip is just outside the unit ball.
+std::string arrow_vertex_shader(ShaderHome);
+std::string arrow_fragment_shader(ShaderHome);
 
 /// A body by its stem, as it is in zonal/view/shaders. std::logic_error when there is none.
 std::string_view shader_body(std::string_view stem);

@@ -14,15 +14,18 @@ const std::vector<Technique>& techniques() {
       {.id = "lambert",
        .title = "One light and an ambient constant",
        .group = kConstant,
-       .explanation = "Where lighting by the environment starts: the brightest light of the panorama as one "
-                      "directional light, and "
-                      "all the rest as a constant that comes from everywhere. Without the constant, what faces away "
-                      "from the light "
-                      "is black, as it never is in a real place.",
-       .formula = "L = albedo/π (π L_A + E_L max(n·l, 0))",
+       .explanation =
+           "Where lighting by the environment starts: the brightest light of the panorama as one "
+           "directional light, and "
+           "all the rest as a constant that comes from everywhere. Without the constant, what faces away "
+           "from the light "
+           "is black, as it never is in a real place. A matte surface sends the same part of the constant to "
+           "every eye, its albedo; of other surfaces the part R_A(v) depends on where the eye is. It is "
+           "known exactly for four BRDFs: a table over n·v and the exponent or roughness.",
+       .formula = "L = albedo/π E_L max(n·l, 0) + R_A(v) L_A,  R_A(v) = ∫ f(l, v) n·l dω",
        .source = "Lambert 1760",
        .exact = Exact::kDiffuse,
-       .controls = {"ambient_light", "roughness", "f0"}},
+       .controls = {"ambient_light", "ambient_brdf", "roughness", "shininess", "f0"}},
       {.id = "blinn-newell",
        .title = "Panorama (Blinn and Newell)",
        .group = kMirrors,
@@ -77,8 +80,10 @@ const std::vector<Technique>& techniques() {
       {.id = "highlight-map",
        .title = "Highlight map",
        .group = kMatte,
-       .explanation = "A highlight of any shape, drawn or computed, as a sphere map in the eye's frame, added to the "
-                      "matte light. It costs one lookup and can be anything, which is its charm and its flaw.",
+       .explanation =
+           "A highlight of any shape, computed, drawn or your own, as a sphere map in the eye's frame, added to "
+           "the matte light. It costs one lookup and can be anything, which is its charm and its flaw: paint "
+           "one, and the object wears it wherever it turns.",
        .formula = "L = albedo/π E(n) + H(½ + ½ n_x, ½ + ½ n_y)",
        .source = "lecture, highlight mapping",
        .exact = Exact::kDiffuse,
@@ -117,14 +122,15 @@ const std::vector<Technique>& techniques() {
        .group = kFiltered,
        .explanation =
            "The panorama filtered by the lobe as an eye sees it, leaning and stretched toward grazing angles, "
-           "once for each of some directions of the eye. A pixel looks its mirrored direction up in the four "
-           "maps whose eyes are around it and blends them. One roughness only, since the maps are many; the "
-           "split sum, which takes every lobe as seen from above (n = v = r), is here to compare with.",
-       .formula =
-           "L = (f0 A + B) Σ_k w_k(v) M_k(r),  M_k(r) = ∫ L_i D V n·l dω / ∫ D V n·l dω at n = (v_k + r)/|v_k + r|",
+           "once for each of some directions of the eye and for each of four roughnesses. A pixel looks up the "
+           "mean direction of its own lobe in the four maps whose eyes are around it, which warps them to its "
+           "eye, and blends them. The maps hold only what they change of the split sum's, which takes every "
+           "lobe as seen from above (n = v = r) and is here to compare with: so they can be small.",
+       .formula = "L = (f0 A + B) M(m) Σ_k w_k(v) M_k(m)/M(m),  M_k = ∫ L_i D V n·l dω / ∫ D V n·l dω with mean "
+                  "direction m for v_k",
        .source = "Cabral, Olano & Nemec 1999",
-       .exact = Exact::kGlossyFixed,
-       .controls = {"reflection_by", "f0"}},
+       .exact = Exact::kGlossy,
+       .controls = {"reflection_by", "roughness", "f0"}},
       {.id = "irradiance-map",
        .title = "Irradiance map",
        .group = kMatte,
@@ -204,7 +210,8 @@ const std::vector<Technique>& techniques() {
        .title = "Extracted lights",
        .group = kHarmonics,
        .explanation = "The probe taken apart into a constant and up to three directional lights by least squares, for "
-                      "renderers that know only lights.",
+                      "renderers that know only lights. An arrow in the light's hue shows where each comes from; its "
+                      "area grows with the light's irradiance. Rings mark them in the sky.",
        .formula = "E = π a + Σ_i E_i max(n·l_i, 0)",
        .source = "Sloan 2008, appendix A5",
        .exact = Exact::kDiffuse,

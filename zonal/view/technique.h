@@ -8,14 +8,13 @@ namespace zonal {
 
 /// What a technique tries to be: the function of the shaders that computes it from the whole environment.
 enum class Exact {
-  kDiffuse,      ///< a matte surface: the irradiance map of the exact convolution
-  kMirror,       ///< a mirror: the panorama, one lookup a pixel
-  kGlossy,       ///< a GGX surface seen from where the eye is: the sum over the panorama's texels (slow)
-  kBentMirror,   ///< a mirror bent by a picture of normals
-  kGlossyFixed,  ///< kGlossy at the one roughness that the maps of reflection space are for
-  kLamp,         ///< a lamp nearby, whatever of it is above the horizon, in closed form
-  kNine,         ///< nine coefficients as a sum over the basis: light that is known no better
-  kPhong,        ///< a Phong lobe about the mirrored direction: the same sum (slow)
+  kDiffuse,     ///< a matte surface: the irradiance map of the exact convolution
+  kMirror,      ///< a mirror: the panorama, one lookup a pixel
+  kGlossy,      ///< a GGX surface seen from where the eye is: the sum over the panorama's texels (slow)
+  kBentMirror,  ///< a mirror bent by a picture of normals
+  kLamp,        ///< a lamp nearby, whatever of it is above the horizon, in closed form
+  kNine,        ///< nine coefficients as a sum over the basis: light that is known no better
+  kPhong,       ///< a Phong lobe about the mirrored direction: the same sum (slow)
 };
 
 /// One way to light a surface by an environment: a shader body that defines `vec3 shade(Surface s)`, and the words

@@ -122,12 +122,14 @@ TEST(SlowTechnique, BothHomesAcceptEveryShader) {
     check(mesh_vertex_shader(home), "mesh.vert");
     check(background_vertex_shader(home), "background.vert");
     check(background_fragment_shader(home), "background.frag");
+    check(arrow_vertex_shader(home), "arrow.vert");
+    check(arrow_fragment_shader(home), "arrow.frag");
     for (const Technique& technique : all_techniques()) {
       check(technique_fragment_shader(home, technique), std::string(technique.id) + ".frag");
       check(lone_technique_fragment_shader(home, technique), std::string(technique.id) + "-alone.frag");
     }
   }
-  EXPECT_EQ(checked, static_cast<int>(2 * (3 + 2 * all_techniques().size())));
+  EXPECT_EQ(checked, static_cast<int>(2 * (5 + 2 * all_techniques().size())));
 }
 
 TEST(ViewState, GoesThroughItsText) {

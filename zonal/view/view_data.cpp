@@ -11,7 +11,10 @@
 #include "zonal/light/lobe.h"
 #include "zonal/light/project.h"
 #include "zonal/light/resample.h"
+#include "zonal/view/ambient_table.h"
+#include "zonal/view/control.h"
 #include "zonal/view/homework_lights.h"
+#include "zonal/view/own_highlight.h"
 #include "zonal/view/reflection_space.h"
 #include "zonal/view/view_pictures.h"
 #include "zonal/view/view_uniforms.h"
@@ -62,6 +65,8 @@ double homework_scale(RgbD mean) {
   return luminance(mean) * static_cast<double>(homework_lights().size()) / sum;
 }
 
+constexpr int kReflectionChainPx = 64;  // faces of its first level
+
 /// Every map that is a convolution of the panorama, analysed once.
 void add_filtered(ViewData& data, const Environment& panorama, const ViewDataOptions& options, const Run& run) {
   const int levels = levels_from(options.chain_px);
@@ -69,6 +74,10 @@ void add_filtered(ViewData& data, const Environment& panorama, const ViewDataOpt
   std::vector<Lobe> lobes = {Lobe::cosine()};
   for (int i = 1; i < levels; ++i) lobes.push_back(lobe_for_roughness(LobeKind::kGgx, i / (levels - 1.0)));
   for (const double s : shininess) lobes.push_back(Lobe::phong(s));
+  const int first_own = static_cast<int>(lobes.size());
+  for (const double roughness : ReflectionSpaceOptions().roughnesses) {
+    lobes.push_back(lobe_for_roughness(LobeKind::kGgx, roughness));
+  }
   const Convolution convolution(panorama, lobes, {}, run);
   const auto level = [&](int lobe, int face_px) {
     return convolution.render(lobe, kStack, image_size(Layout::kCubeStack, face_px), run).map.radiance;
@@ -84,6 +93,12 @@ void add_filtered(ViewData& data, const Environment& panorama, const ViewDataOpt
   for (int i = 1; i < levels; ++i) ggx.levels.push_back(level(i, options.chain_px >> i));
   data.textures.push_back(std::move(ggx));
   add_uniform(data, "chain_levels", std::vector<double>{1.0 * levels});
+
+  ViewTexture own{.name = "reflection_chain", .shape = TextureShape::kCube};
+  for (int i = first_own; i < static_cast<int>(lobes.size()); ++i) {
+    own.levels.push_back(level(i, kReflectionChainPx >> (i - first_own)));
+  }
+  data.textures.push_back(std::move(own));
 
   ViewTexture phong{.name = "phong_chain", .shape = TextureShape::kCube};
   for (int i = 0; i < levels; ++i) phong.levels.push_back(level(levels + i, options.chain_px >> i));
@@ -117,19 +132,25 @@ ViewData view_data(const Environment& environment, const ViewDataOptions& option
   picture("dual_paraboloid", dual_paraboloid_picture(panorama, 2 * options.cube_px, run));
   add_filtered(data, panorama, options, run);
   data.textures.push_back({.name = "dfg_table", .table = true, .levels = {dfg_table(64, DfgVariant::kStandard, run)}});
+  data.textures.push_back({.name = "ambient_table", .table = true, .levels = {ambient_reflectance_picture(run)}});
+  add_uniform(data, "ambient_bands", std::vector<double>{kAmbientBrdfs});
+  add_uniform(data, "greatest_shininess", std::vector<double>{control_named("shininess").greatest});
   data.textures.push_back({.name = "window_table", .table = true, .levels = {window_picture()}});
   data.textures.push_back(
       {.name = "bump_map", .repeats_x = true, .repeats_y = true, .table = true, .levels = {bump_picture(kBumpPx)}});
   add_uniform(data, "bump_height", std::vector<double>{kBumpHeight});
   const ReflectionSpaceOptions space;
   picture("reflection_space", reflection_space_maps(panorama, space, run));
+  data.textures.push_back({.name = "lean_table", .table = true, .levels = {lean_picture()}});
   add_uniform(data, "reflection_views", std::vector<double>{1.0 * space.views});
-  add_uniform(data, "reflection_roughness", std::vector<double>{space.roughness});
+  add_uniform(data, "reflection_roughnesses", std::vector<double>(space.roughnesses.begin(), space.roughnesses.end()));
 
   const Sh<RgbD> radiance = project(panorama, 6, run);
   const RgbD mean = mean_radiance(radiance);
   picture("highlight_map", highlight_picture(64, mean));
   picture("highlight_drawn", drawn_highlight(64, mean));
+  data.textures.push_back(own_highlight_texture(Image<Rgb>(kOwnHighlightPx, kOwnHighlightPx)));
+  add_uniform(data, "highlight_unit", std::vector<double>{kOwnHighlight * luminance(mean)});
   data.textures.push_back({.name = "homework_table", .table = true, .levels = {homework_table()}});
   add_uniform(data, "homework_scale", std::vector<double>{homework_scale(mean)});
   add_light_uniforms(data, radiance);

@@ -51,7 +51,8 @@ struct ViewState {
   void set(std::string_view control, double value);
 };
 
-/// The uniform marked_lights: how many of the extracted lights the technique shades by, to be marked in the background.
+/// The uniform marked_lights: how many of the extracted lights the technique shades by, to be marked by rings and
+/// arrows.
 int marked_lights(const ViewState&);
 
 /// What the page keeps in its address: "technique=split-sum&roughness=0.4&yaw=30". Every field may be missing.

@@ -1,5 +1,6 @@
 #include "zonal/view/view_uniforms.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "zonal/light/extract.h"
@@ -27,17 +28,21 @@ std::vector<double> lecture_constants() {
 void add_extracted_lights(ViewData& data, const Sh<RgbD>& radiance) {
   std::vector<Vec3> directions;
   std::vector<RgbD> irradiance, ambient = {mean_radiance(radiance)};
+  std::vector<double> shares;
+  const double all_light = 4 * kPi * luminance(mean_radiance(radiance));
   for (int count = 1; count <= kMostLights; ++count) {
     ExtractedLights found = extract_lights(radiance, {.lights = count, .refine = true});
     found.lights.resize(static_cast<std::size_t>(count), {.direction = {0, 0, 1}, .irradiance = {}});
     for (const ExtractedLight& light : found.lights) {
       directions.push_back(light.direction);
       irradiance.push_back(light.irradiance);
+      shares.push_back(all_light > 0 ? std::max(0.0, luminance(light.irradiance)) / all_light : 0);
     }
     ambient.push_back(found.ambient);
   }
   add_uniform(data, "light_directions", directions);
   add_uniform(data, "light_irradiance", irradiance);
+  add_uniform(data, "light_shares", shares);
   add_uniform(data, "light_ambient", ambient);
 }
 

@@ -65,6 +65,7 @@ class Textures {
   constructor(gl, list, bytes) {
     this.gl = gl;
     this.bytes = bytes;
+    this.own = new Map();  // name -> picture in place of that in the bytes
     this.list = new Map(list.map((texture) => [texture.name, texture]));
     this.made = new Map();
   }
@@ -80,15 +81,31 @@ class Textures {
     }
   }
 
+  // A square picture of one level, three numbers a texel, from now on.
+  replace(name, picture) {
+    this.own.set(name, picture);
+    this.gl.deleteTexture(this.made.get(name) ?? null);
+    this.made.delete(name);
+  }
+
+  // The numbers of a level as they are in the bytes.
+  texels(name, level) {
+    const texture = this.list.get(name), [at, width, height] = texture.levels[level];
+    return texture.table ? shorts(this.bytes, at, 3 * width * height) : words(this.bytes, at, width * height);
+  }
+
   make(texture, target) {
-    const gl = this.gl, id = gl.createTexture();
+    const gl = this.gl, id = gl.createTexture(), own = this.own.get(texture.name);
     gl.bindTexture(target, id);
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 2);
     const format = texture.table ? gl.RGB16F : gl.RGB9_E5;
     const type = texture.table ? gl.HALF_FLOAT : gl.UNSIGNED_INT_5_9_9_9_REV;
-    texture.levels.forEach(([at, width, height], level) => {
-      const count = width * height;
-      const texels = texture.table ? shorts(this.bytes, at, 3 * count) : words(this.bytes, at, count);
+    texture.levels.forEach(([, width, height], level) => {
+      if (own) {
+        gl.texImage2D(target, level, gl.RGB16F, width, height, 0, gl.RGB, gl.FLOAT, own);
+        return;
+      }
+      const texels = this.texels(texture.name, level);
       if (!texture.cube) {
         gl.texImage2D(target, level, format, width, height, 0, gl.RGB, type, texels);
         return;

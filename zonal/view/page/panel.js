@@ -1,7 +1,7 @@
 // Everything beside the picture: choices, words, numbers, messages.
 
 class Panel {
-  constructor(root, data, settings, changed) {
+  constructor(root, data, settings, changed, painted) {
     this.data = data;
     this.settings = settings;
     this.shown = new Map();  // name -> {element, show}
@@ -32,11 +32,12 @@ class Panel {
     const objects = data.meshes.map(({name}) => [name, name.replaceAll('-', ' ')]);
     const inBar = ['compare', 'difference_gain'], others = data.controls.filter((field) => !inBar.includes(field.name));
     const own = others.filter((field) => !field.common).map((field) => control(field));
+    this.painter = new HighlightPainter(painted);
     this.notices = made('div', {class: 'zv-notices', role: 'alert'});
     const panel = made('div', {class: 'zv-panel'},
         input('technique', selectInput('technique', 'Technique', [...groups], changed)),
         made('div', {class: 'zv-words'}, this.explanation, this.formula, this.source),
-        ...own,
+        ...own, this.painter.element,
         input('mesh', selectInput('mesh', 'Object', [['', objects]], changed)),
         ...others.filter((field) => field.common).map((field) => control(field)),
         made('details', {}, made('summary', {}, 'Eye'), ...data.camera.map((field) => control(field))),
@@ -53,6 +54,9 @@ class Panel {
     for (const field of this.data.controls) {
       if (!field.common) this.shown.get(field.name).element.hidden = !technique.controls.includes(field.name);
     }
+    // The last choice of a highlight is a person's own.
+    const sources = this.data.controls.find((field) => field.name === 'highlight_source');
+    this.painter.element.hidden = !technique.controls.includes(sources.name) || values[sources.name] !== sources.greatest;
     this.gain.hidden = values.compare !== 2;
     this.sides.hidden = values.compare !== 3;
     this.explanation.textContent = technique.explanation;

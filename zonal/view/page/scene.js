@@ -34,6 +34,11 @@ class Scene {
     };
   }
 
+  uploaded(mesh) {
+    if (!this.meshes.has(mesh)) this.meshes.set(mesh, uploadedMesh(this.gl, mesh, this.bytes));
+    return this.meshes.get(mesh);
+  }
+
   drawMesh(values, numbers) {
     const {gl, data} = this, shaders = data.shaders;
     const technique = data.techniques.find((t) => t.id === values.technique);
@@ -41,9 +46,17 @@ class Scene {
     this.program(kind + technique.id, shaders.mesh_vertex, shaders.shared + shaders[kind][technique.id], technique.title)
         .use(numbers, this.textures);
     const mesh = data.meshes.find((m) => m.name === values.mesh);
-    if (!this.meshes.has(mesh.name)) this.meshes.set(mesh.name, uploadedMesh(gl, mesh, this.bytes));
-    gl.bindVertexArray(this.meshes.get(mesh.name));
+    gl.bindVertexArray(this.uploaded(mesh));
     gl.drawElements(gl.TRIANGLES, mesh.index_count, gl.UNSIGNED_INT, 0);
+  }
+
+  // One for each light that the technique shades by.
+  drawArrows(numbers) {
+    if (numbers.marked_lights === 0) return;
+    const {gl, data} = this, shaders = data.shaders;
+    this.program('arrow', shaders.arrow_vertex, shaders.shared + shaders.arrow, 'the arrows').use(numbers, this.textures);
+    gl.bindVertexArray(this.uploaded(data.arrow));
+    gl.drawElementsInstanced(gl.TRIANGLES, data.arrow.index_count, gl.UNSIGNED_INT, 0, numbers.marked_lights);
   }
 
   draw(values, width, height) {
@@ -54,6 +67,7 @@ class Scene {
     gl.clear(gl.DEPTH_BUFFER_BIT | gl.COLOR_BUFFER_BIT);
     try {
       this.drawMesh(values, numbers);
+      this.drawArrows(numbers);
     } finally {  // last, so that only what is seen of it is drawn
       this.program('', shaders.background_vertex, shaders.shared + shaders.background, 'the background')
           .use(numbers, this.textures);

@@ -18,7 +18,12 @@ const view = async (root, data) => {
     else settings.set(name, value);
     update();
   };
-  const panel = new Panel(root, data, settings, changed), canvas = panel.canvas;
+  const ownHighlight = 'highlight_own';
+  const painted = () => {
+    scene.textures.replace(ownHighlight, panel.painter.picture);
+    update();
+  };
+  const panel = new Panel(root, data, settings, changed, painted), canvas = panel.canvas;
 
   const readAddress = () => {
     if (data.embedded) return;
@@ -86,6 +91,9 @@ const view = async (root, data) => {
   };
   const begin = () => {
     scene = new Scene(gl, data, bytes);
+    const own = panel.painter.picture;
+    if (own) scene.textures.replace(ownHighlight, own);  // what was painted outlives a lost context
+    else panel.painter.show(floatsOfShared(scene.textures.texels(ownHighlight, 0)));
     measure = new Measure(gl);
     request();
   };

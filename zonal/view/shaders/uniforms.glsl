@@ -10,11 +10,15 @@ uniform samplerCube irradiance_map;    // E
 uniform samplerCube ggx_chain;         // perceptual roughness from 0 to 1 over the levels
 uniform samplerCube phong_chain;       // shininess phong_exponents over the levels
 uniform sampler2D dfg_table;           // n.v across, roughness down: scale and bias of f0
+uniform sampler2D ambient_table;       // n.v across; a band of rows for Lambert, Phong, Blinn-Phong, GGX
 uniform sampler2D window_table;        // strength down; for Hann, Lanczos, Laplacian: bands 0..2, 3..5
 uniform sampler2D bump_map;            // tangent-space normals' x and y, halved and shifted to 0..1; height, 0..1
 uniform sampler2D highlight_map;       // a highlight as a sphere map in the eye's frame, computed
 uniform sampler2D highlight_drawn;     // and drawn
-uniform sampler2D reflection_space;    // tiles of eyes, each an octahedral map over the mirrored direction
+uniform sampler2D highlight_own;       // and a person's own, 1 being highlight_unit
+uniform sampler2D reflection_space;    // layers of tiles of eyes, each an octahedral map over the lobe's mean direction
+uniform samplerCube reflection_chain;  // the split sum's map for the roughness of each layer, over the levels
+uniform sampler2D lean_table;          // n.v across, roughness down: from the mirrored direction to that mean, radians
 uniform sampler2D homework_table;      // a light set a row, its nine coefficients across
 
 uniform vec3 sh[36];                   // radiance, six bands, l(l+1)+m
@@ -28,16 +32,20 @@ uniform vec3 negative_tint;            // where light is below zero
 uniform vec3 vector_irradiance[3];     // of red, green, blue
 uniform vec3 light_directions[6];      // extracted: of the fit of one light, of two, of three; brightest first
 uniform vec3 light_irradiance[6];
+uniform float light_shares[6];         // of all light of the panorama, 4 pi times its mean, in luminance
 uniform vec3 light_ambient[4];         // beside no light, one, two, three
 uniform float phong_exponents[8];
 uniform float chain_levels;            // of ggx_chain
 uniform float phong_levels;
+uniform float ambient_bands;           // of rows in ambient_table
+uniform float greatest_shininess;      // in the last row of two of them
 uniform float bump_height;             // of a whole of bump_map's height, in widths of its tile
 uniform float reflection_views;        // tiles along a side of reflection_space
-uniform float reflection_roughness;
+uniform float reflection_roughnesses[4];  // of the layers
+uniform float highlight_unit;          // radiance
 uniform float homework_scale;          // f_scale: as bright as the panorama
 uniform float time_s;                  // since the viewer was opened, for what moves by itself
-uniform int marked_lights;             // so many of the extracted lights are marked in the background
+uniform int marked_lights;             // so many of the extracted lights are marked: rings in the background, arrows
 
 uniform mat3 light_from_world;
 uniform vec3 eye;
