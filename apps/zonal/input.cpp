@@ -17,8 +17,6 @@
 namespace zonal {
 namespace {
 
-bool is_fisheye(Layout layout) { return layout == Layout::kFisheye || layout == Layout::kDualFisheye; }
-
 ImageSize size_of(const Environment& e) { return {e.radiance.width(), e.radiance.height()}; }
 
 /// The lens as described, the rest as it was.
@@ -39,11 +37,15 @@ Lens lens_of(const InputOptions& options, Lens lens) {
 void describe_lens(const InputOptions& options, Projection& projection) {
   const Lens lens = lens_of(options, projection.lens);
   if (lens == projection.lens) return;
-  if (!is_fisheye(projection.layout)) {
-    throw Error(
-        ErrorKind::kUsage,
-        fmt::format("--lens, --fov, --center and --radius describe a fisheye, not {}", name_of(projection.layout)),
-        "say --from fisheye or --from dual-fisheye, or leave them out");
+  if (!is_fisheye(projection.layout) && (options.lens || options.fov_deg)) {
+    throw Error(ErrorKind::kUsage,
+                fmt::format("--lens and --fov describe a fisheye, not {}", name_of(projection.layout)),
+                "say --from fisheye or --from dual-fisheye, or leave them out");
+  }
+  if (!has_circle(projection.layout)) {
+    throw Error(ErrorKind::kUsage,
+                fmt::format("--center and --radius place a circle, which {} is not", name_of(projection.layout)),
+                "say --from fisheye, dual-fisheye, mirror-ball, sphere-map or angular, or leave them out");
   }
   projection.lens = lens;
 }
@@ -58,6 +60,13 @@ void check_finite(const Survey& survey, const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+std::optional<Projection> projection_of(const InputOptions& options) {
+  if (!options.from) return std::nullopt;
+  Projection projection{*options.from};
+  describe_lens(options, projection);
+  return projection;
+}
 
 Rotation rotation_of(const InputOptions& options) {
   if (options.rotate.empty()) return {};
@@ -80,10 +89,7 @@ ResampleOptions resample_options_of(const InputOptions& options) {
 Input read_input(const InputOptions& options, Call& call, bool any_values) {
   EnvironmentLoadOptions loading;
   loading.picture = {options.max_pixels, options.encoding};
-  if (options.from) {
-    loading.from = Projection{*options.from};
-    describe_lens(options, *loading.from);
-  }
+  loading.from = projection_of(options);
   Input input;
   input.loaded = options.paths.size() == 1 ? load_environment(options.paths[0], loading, call.run)
                                            : load_environment(options.paths, loading, call.run);
@@ -135,11 +141,10 @@ WholeLight whole_light(Input& input, const InputOptions& options, Call& call) {
 }
 
 int panorama_rows(const Projection& projection, ImageSize size) {
-  const double natural = natural_size(projection.layout, size).value_or(size.height);
-  if (is_cube(projection.layout)) return static_cast<int>(2 * natural);
-  if (!is_fisheye(projection.layout)) return static_cast<int>(natural);
-  const double diameter = projection.lens.radius_x_px > 0 ? 2 * projection.lens.radius_x_px : natural;
-  return std::max(1, static_cast<int>(std::lround(diameter * 180 / projection.lens.fov_deg)));
+  const int natural = natural_size(projection, size).value_or(size.height);
+  if (is_cube(projection.layout)) return 2 * natural;
+  if (!is_fisheye(projection.layout)) return natural;
+  return std::max(1, static_cast<int>(std::lround(natural * 180 / projection.lens.fov_deg)));
 }
 
 int size_as_fine(Layout to, const Projection& from, ImageSize size) {

@@ -39,6 +39,9 @@ struct Input {
 /// are not finite, unless they are to be repaired or `any_values`.
 Input read_input(const InputOptions&, Call&, bool any_values = false);
 
+/// The projection that --from, --lens, --fov, --center and --radius describe; nullopt without --from. Throws
+/// Error{kUsage} for what does not describe such a picture.
+std::optional<Projection> projection_of(const InputOptions&);
 /// How the options turn the light.
 Rotation rotation_of(const InputOptions&);
 /// What is in the directions that the picture does not show.

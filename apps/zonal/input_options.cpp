@@ -24,15 +24,31 @@ std::optional<Uncovered> uncovered_named(std::string_view name) {
   return std::nullopt;
 }
 
+constexpr const char* kGroup = "Input";
+
 }  // namespace
 
 void add_input_options(CLI::App& verb, InputOptions& options) {
-  constexpr const char* kGroup = "Input";
   verb.add_option("IN", options.paths,
                   "a picture (EXR, HDR, PFM, PNG, JPEG, TGA), a folder with six cube faces, six pictures +X -X +Y -Y "
                   "+Z -Z, or two "
                   "(front, back)")
       ->required();
+  add_projection_options(verb, options);
+  add_choice(verb, "--encoding", options.encoding, encoding_named, "auto, linear or srgb",
+             "what 8 and 16 bit numbers mean")
+      ->group(kGroup);
+  verb.add_option("--max-pixels", options.max_pixels, "refuse larger pictures, before memory is taken")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str()
+      ->group(kGroup);
+  verb.add_flag("--fix", options.fix,
+                "replace NaN and Inf by their neighbours' mean, raise negative values to 0, and say how many")
+      ->group(kGroup);
+  add_filling_options(verb, options);
+}
+
+void add_projection_options(CLI::App& verb, InputOptions& options) {
   add_choice(verb, "--from", options.from, layout_or_alias, layout_names(),
              "how the picture shows the sphere, if not guessed")
       ->group(kGroup);
@@ -44,21 +60,15 @@ void add_input_options(CLI::App& verb, InputOptions& options) {
       ->group(kGroup);
   verb.add_option("--fov", options.fov_deg, "fisheye: the whole angle it sees, in degrees; 180 if not said")
       ->group(kGroup);
-  verb.add_option("--center", options.center, "fisheye: centre of the circle in pixels, X,Y; the picture's if not said")
+  verb.add_option("--center", options.center,
+                  "fisheye, ball or angular map: centre of its circle in pixels, X,Y; the picture's if not said")
       ->group(kGroup);
   verb.add_option("--radius", options.radius,
-                  "fisheye: radius in pixels, R or RX,RY; the largest that fits if not said")
+                  "radius of that circle in pixels, R or RX,RY; the largest that fits if not said")
       ->group(kGroup);
-  add_choice(verb, "--encoding", options.encoding, encoding_named, "auto, linear or srgb",
-             "what 8 and 16 bit numbers mean")
-      ->group(kGroup);
-  verb.add_option("--max-pixels", options.max_pixels, "refuse larger pictures, before memory is taken")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str()
-      ->group(kGroup);
-  verb.add_flag("--fix", options.fix,
-                "replace NaN and Inf by their neighbours' mean, raise negative values to 0, and say how many")
-      ->group(kGroup);
+}
+
+void add_filling_options(CLI::App& verb, InputOptions& options) {
   verb.add_option("--rotate", options.rotate,
                   "turn the light: YAW[,PITCH[,ROLL]] in degrees; yaw to the left, pitch up")
       ->group(kGroup);

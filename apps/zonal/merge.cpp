@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "apps/zonal/choices.h"
 #include "apps/zonal/merge_input.h"
@@ -48,6 +49,14 @@ TrustedRanges trusted_in(const std::string& text) {
   return {range, range, range};
 }
 
+/// The curve that the user gave; nullopt: it is to be estimated.
+std::optional<Response> given_response(const std::string& name) {
+  if (name == "estimate") return std::nullopt;
+  if (name == "srgb") return Response::srgb();
+  if (name == "linear") return Response::linear();
+  return load_response(name);
+}
+
 Response response_for(const MergeVerbOptions& options, const CodeSamples& flat, const TrustedRanges& trusted,
                       const Bracket& bracket, MergeFacts& facts, Call& call) {
   if (bracket.linear) {
@@ -61,9 +70,7 @@ Response response_for(const MergeVerbOptions& options, const CodeSamples& flat, 
     }
   }
   facts.response = options.response;
-  if (options.response == "srgb") return Response::srgb();
-  if (options.response == "linear") return Response::linear();
-  if (options.response != "estimate") return load_response(options.response);
+  if (const std::optional<Response> given = given_response(options.response)) return *given;
   if (options.rule == MergeRule::kLogMean) {
     facts.fit = estimate_response_debevec(flat, {options.smoothness, trusted});
   } else {
@@ -108,6 +115,7 @@ void run_merge(const MergeVerbOptions& options, Call& call) {
   if (!options.trust.empty()) trusted_in(options.trust);  // before any work is done
   MergeFacts facts;
   Bracket bracket = read_bracket(options.input, call);
+  check_merge_view(options.output.view, {bracket.exposures[0].picture.width(), bracket.exposures[0].picture.height()});
   const double unit = unit_of(options, bracket);
   if (options.align) facts.alignments = align_exposures(bracket.exposures, {}, call.run);
   const CodeSamples flat = sample_flat_texels(bracket.exposures, kFlatTexels, call.run);
@@ -121,7 +129,7 @@ void run_merge(const MergeVerbOptions& options, Call& call) {
   Merge merge = merge_exposures(bracket.exposures, response, merging, call.run);
   for (Rgb& radiance : merge.radiance.values()) radiance = static_cast<float>(unit) * radiance;
   facts.absolute = options.absolute;
-  write_merge(merge, response, bracket, facts, options.output, call);
+  write_merge(std::move(merge), response, bracket, facts, options.output, call);
 }
 
 void add_estimation_options(CLI::App& verb, MergeVerbOptions& options) {
@@ -140,7 +148,10 @@ void add_estimation_options(CLI::App& verb, MergeVerbOptions& options) {
   verb.add_option("--trust", options.trust,
                   "LOW,HIGH: codes to trust, those between; if not said, what answers to light")
       ->group(kGroup);
-  verb.add_flag("--align", options.align, "move hand-held shots onto each other, by whole texels")->group(kGroup);
+  verb.add_flag(
+          "--align", options.align,
+          "move and turn hand-held shots onto each other, to a fraction of a pixel; what each was moved by is said")
+      ->group(kGroup);
   verb.add_flag("--deghost", options.deghost, "leave out what moved between the shots")->group(kGroup);
 }
 
@@ -152,9 +163,10 @@ void add_merge(CLI::App& app, Call& call) {
   CLI::App& verb = *app.add_subcommand("merge", "Radiance from photographs of one scene with different exposures.");
   verb.add_option("IN", options->input.paths, "the photographs, in any order (JPEG, PNG, TGA; EXR, HDR, PFM as linear)")
       ->required();
-  verb.add_option(
-          "--times", options->input.times,
-          "1/1000,1/250,... seconds, -2ev,0ev,2ev steps, or a file with a line for each picture; EXIF if not said")
+  verb.add_option("--times", options->input.times,
+                  "1/1000,1/250,... seconds, -2ev,0ev,2ev steps, or a file with a line for each picture; what the "
+                  "files say if not "
+                  "said")
       ->group("Input");
   verb.add_option("--ignore", options->input.ignore, "R,G,B: the colour, as codes of 255, of borders without data")
       ->group("Input");
@@ -164,20 +176,21 @@ void add_merge(CLI::App& app, Call& call) {
   add_estimation_options(verb, *options);
   constexpr const char* kOutput = "Output";
   MergeOutputs& output = options->output;
-  verb.add_option("-o,--output", output.radiance, "OUT.exr, .hdr or .pfm")->required()->group(kOutput);
+  add_merge_view_options(verb, output.view);
   verb.add_flag("--absolute", options->absolute, "cd/m² by aperture and ISO speed, in place of relative radiance")
       ->group(kOutput);
-  verb.add_flag("--half", output.half, "EXR: 16 bit floats in place of 32")->group(kOutput);
   verb.add_option("--map", output.map, "MAP.png: which exposure each region came from")->group(kOutput);
   verb.add_option("--curve", output.curve, "CURVE.svg: the camera's response")->group(kOutput);
   verb.add_option("--save-response", output.response, "FILE: the response as text, for --response")->group(kOutput);
   add_run_options(verb, call);
   verb.footer(
-      "Radiance 1 fills an exposure of 1 s at the first picture's aperture and ISO speed. The merge stays in the space "
-      "of\n"
-      "the photographs: fisheye and mirror-ball pictures go on with --from fisheye or --from mirror-ball.\n\n"
+      "Radiance 1 fills an exposure of 1 s at the first picture's aperture and ISO speed. Without --from the merge is "
+      "a\n"
+      "picture like the photographs; with it, it is written in any projection. Places in pixels are those of the\n"
+      "exposure in the middle of the bracket, which --align leaves where it is.\n\n"
       "Examples:\n"
-      "  zonal merge ball_*.jpg -o ball.exr --align --deghost\n"
+      "  zonal merge shot_*.jpg -o scene.exr --align --deghost\n"
+      "  zonal merge ball_*.jpg --from mirror-ball --center 764,482 --radius 268 --to equirect -o room.exr\n"
       "  zonal merge a.jpg b.jpg c.jpg --times 1/250,1/1000,1/4000 -o sky.exr --map which.png --curve curve.svg\n"
       "  zonal merge memorial*.png --times memorial.hdr_image_list.txt --ignore 0,0,255 -o memorial.exr");
   verb.callback([options, &call] { run_merge(*options, call); });

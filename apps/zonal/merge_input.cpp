@@ -26,7 +26,8 @@ std::vector<ExposureSettings> settings_from_files(const std::vector<fs::path>& p
     if (settings.back().seconds) continue;
     throw Error(
         ErrorKind::kInput, path.string() + ": the file does not say how long it was exposed",
-        "say it: --times 1/1000,1/250,1/60 in the order of the pictures, or --times with a file that lists them");
+        "say it: --times 1/1000,1/250,1/60 in the order of the pictures, or --times with a file that lists them; "
+        "pictures alone cannot tell");
   }
   return settings;
 }
@@ -124,26 +125,28 @@ void ignore_color(const std::string& codes, Bracket& bracket, Console& console) 
 Bracket read_bracket(const BracketOptions& options, Call& call) {
   const std::vector<ExposureSettings> settings = settings_of(options);
   warn_of_gaps(settings, call.console);
-  Bracket bracket;
-  bracket.reference = settings[0];
   std::vector<Loaded> loaded(options.paths.size());
   for_each_block(call.run, "reading", static_cast<int>(loaded.size()), 1,
                  [&](Block block) { loaded[block.begin] = load(options.paths[block.begin], options.max_pixels); });
 
   std::set<std::string> notes;
   std::size_t floats = 0;
-  for (std::size_t i = 0; i < loaded.size(); ++i) {
-    notes.insert(loaded[i].notes.begin(), loaded[i].notes.end());
-    floats += loaded[i].is_float;
-    bracket.exposures.push_back(
-        {options.paths[i].string(), equivalent_seconds(settings[i], bracket.reference), std::move(loaded[i].picture)});
+  for (const Loaded& one : loaded) {
+    notes.insert(one.notes.begin(), one.notes.end());
+    floats += one.is_float;
   }
   for (const std::string& note : notes) call.console.note(note);
   if (floats != 0 && floats != loaded.size()) {
     throw Error(ErrorKind::kInput, "some of the pictures are linear floats and some are not",
                 "develop all photographs of a bracket alike");
   }
+  Bracket bracket;
+  bracket.reference = settings[0];
   bracket.linear = floats != 0;
+  for (std::size_t i = 0; i < loaded.size(); ++i) {
+    bracket.exposures.push_back(
+        {options.paths[i].string(), equivalent_seconds(settings[i], bracket.reference), std::move(loaded[i].picture)});
+  }
   arrange(bracket.exposures);
   if (!options.ignore.empty()) ignore_color(options.ignore, bracket, call.console);
   return bracket;

@@ -14,7 +14,7 @@ namespace zonal {
 /// What a user says about the photographs of a bracket.
 struct BracketOptions {
   std::vector<std::filesystem::path> paths;
-  std::string times;   ///< a list of times, or a file with one; empty: EXIF
+  std::string times;   ///< a list of times, or a file with one; empty: what the files say
   std::string ignore;  ///< "R,G,B" in codes of 255: texels of this colour hold no data
   std::int64_t max_pixels = 0;
 };

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <utility>
 
-#include "apps/zonal/output.h"
 #include "zonal/io/file.h"
-#include "zonal/io/picture.h"
 #include "zonal/io/png.h"
 #include "zonal/io/response_file.h"
 #include "zonal/report/exposure_map.h"
@@ -28,6 +27,26 @@ std::vector<double> shares_of(const Merge& merge, std::size_t exposures) {
   return shares;
 }
 
+/// Tells, and returns as words, how a photograph was moved: the other way round than it lies under the merge.
+std::string say_alignment(const Alignment& alignment, const std::string& name, JsonValue::Object& object,
+                          Console& console) {
+  const Placement moved = inverse(alignment.placement);
+  const auto zero = [](double value) { return value + 0.0; };  // no -0
+  object.insert(object.end(), {{"moved_px", JsonValue::Array{zero(moved.dx), zero(moved.dy)}},
+                               {"turned_deg", zero(moved.rotation_deg)},
+                               {"residual_codes", alignment.residual_codes},
+                               {"correlation", alignment.correlation},
+                               {"aligned", alignment.aligned}});
+  if (!alignment.aligned) {
+    console.warn(
+        name +
+        ": could not be aligned (too dark, too bright, or it shows too little of what the others do); it stays "
+        "with its neighbour");
+  }
+  return fmt::format("  moved by ({:.2f}, {:.2f}) px, turned by {:.2f}°, residual {:.1f} codes", zero(moved.dx),
+                     zero(moved.dy), zero(moved.rotation_deg), alignment.residual_codes);
+}
+
 void say_exposures(const Merge& merge, const Bracket& bracket, const MergeFacts& facts, Console& console) {
   const std::vector<double> shares = shares_of(merge, bracket.exposures.size());
   JsonValue::Array list;
@@ -36,11 +55,7 @@ void say_exposures(const Merge& merge, const Bracket& bracket, const MergeFacts&
     JsonValue::Object object = {{"path", e.name}, {"seconds", e.seconds}, {"share", shares[k]}};
     std::string line = fmt::format("{:>10}  {:>7}  {}", exposure_words(e.seconds), percent(shares[k]), e.name);
     if (!facts.alignments.empty()) {
-      const Alignment& a = facts.alignments[k];
-      object.emplace_back("shift", JsonValue::Array{a.shift.dx, a.shift.dy});
-      object.emplace_back("disagreement", a.disagreement);
-      line += fmt::format("  moved by ({}, {})", -a.shift.dx, -a.shift.dy);
-      if (a.too_flat) console.warn(e.name + ": too dark or too bright to be aligned; it stays with its neighbour");
+      line += say_alignment(facts.alignments[k], e.name, object, console);
     }
     if (facts.deghosting) {
       object.emplace_back("left_out", facts.deghosting->left_out[k]);
@@ -126,10 +141,7 @@ bool has_extension(const fs::path& path, const char* extension) {
 }  // namespace
 
 void check_merge_outputs(const MergeOutputs& outputs) {
-  if (!can_save_picture(outputs.radiance)) {
-    throw Error(ErrorKind::kUsage, outputs.radiance.string() + ": this extension names no format that can be written",
-                "use .exr, .hdr, .pfm or .png");
-  }
+  check_merge_view(outputs.view);
   if (!has_extension(outputs.map, ".png")) {
     throw Error(ErrorKind::kUsage, "--map " + outputs.map.string() + ": the map is a PNG", "name it .png");
   }
@@ -138,7 +150,7 @@ void check_merge_outputs(const MergeOutputs& outputs) {
   }
 }
 
-void write_merge(const Merge& merge, const Response& response, const Bracket& bracket, const MergeFacts& facts,
+void write_merge(Merge merge, const Response& response, const Bracket& bracket, const MergeFacts& facts,
                  const MergeOutputs& outputs, Call& call) {
   Console& console = call.console;
   if (call.run.stop.stop_requested()) throw Error(ErrorKind::kCancelled, "cancelled");
@@ -150,13 +162,6 @@ void write_merge(const Merge& merge, const Response& response, const Bracket& br
   say_unit(bracket, facts, console);
   say_doubts(merge, console);
 
-  const std::string size = words_of({merge.radiance.width(), merge.radiance.height()});
-  const SaveReport saved = save_picture(merge.radiance, outputs.radiance, {.exr_half = outputs.half});
-  if (saved.clipped_pixels > 0) {
-    console.warn(fmt::format("{}: {} pixels are outside what the format holds and were clipped; EXR keeps them",
-                             outputs.radiance.string(), saved.clipped_pixels));
-  }
-  wrote(outputs.radiance, "radiance " + size);
   if (!outputs.map.empty()) {
     std::vector<std::string> names;
     for (const Exposure& e : bracket.exposures) names.push_back(exposure_words(e.seconds));
@@ -171,6 +176,7 @@ void write_merge(const Merge& merge, const Response& response, const Bracket& br
     write_file(outputs.response, response_text(response));
     wrote(outputs.response, "the response as text");
   }
+  write_merge_view(std::move(merge.radiance), outputs.view, call);
 }
 
 }  // namespace zonal

@@ -7,6 +7,7 @@
 
 #include "apps/zonal/call.h"
 #include "apps/zonal/merge_input.h"
+#include "apps/zonal/merge_view.h"
 #include "zonal/image/align_exposures.h"
 #include "zonal/image/deghost.h"
 #include "zonal/image/merge_exposures.h"
@@ -14,8 +15,8 @@
 namespace zonal {
 
 struct MergeOutputs {
-  std::filesystem::path radiance, map, curve, response;  ///< all but the first may be empty
-  bool half = false;
+  MergeView view;
+  std::filesystem::path map, curve, response;  ///< all may be empty
 };
 
 /// What is told about a merge beside its picture.
@@ -32,6 +33,6 @@ struct MergeFacts {
 void check_merge_outputs(const MergeOutputs&);
 
 /// Writes the files and says what was found.
-void write_merge(const Merge&, const Response&, const Bracket&, const MergeFacts&, const MergeOutputs&, Call&);
+void write_merge(Merge, const Response&, const Bracket&, const MergeFacts&, const MergeOutputs&, Call&);
 
 }  // namespace zonal

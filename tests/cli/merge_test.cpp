@@ -4,6 +4,7 @@
 #include "tests/cli/command.h"
 #include "zonal/image/color.h"
 #include "zonal/io/picture.h"
+#include "zonal/sphere/mapping.h"
 
 namespace zonal {
 namespace {
@@ -91,7 +92,9 @@ TEST_F(CliMerge, SaysWhatItDid) {
   double shares = 0;
   for (const auto& exposure : json["exposures"]) {
     shares += exposure.at("share").get<double>();
-    EXPECT_EQ(exposure.at("shift"), nlohmann::json({0, 0}));
+    EXPECT_EQ(exposure.at("moved_px"), nlohmann::json({0.0, 0.0}));
+    EXPECT_EQ(exposure.at("turned_deg"), 0.0);
+    EXPECT_TRUE(exposure.at("aligned").get<bool>());
     EXPECT_LT(exposure.at("left_out").get<double>(), 0.01);
   }
   EXPECT_NEAR(shares, 1, 1e-9);
@@ -147,6 +150,123 @@ TEST_F(CliMerge, BadInput) {
   bad(3, {"merge", a, b, "--times", "list.txt", "-o", "x.exr"}, "does not list " + b);
   write("broken.txt", a + " 1\n" + b + " soon\n");
   bad(3, {"merge", a, b, "--times", "broken.txt", "-o", "x.exr"}, "line 2");
+}
+
+TEST_F(CliMerge, TurnedShotsAreTurnedBack) {
+  // The second shot half a turn of a degree and a few pixels away, made by the scene's own formula.
+  const auto seen = [](double seconds, double dx, double turn) {
+    Image<Rgb> exposed(kWidth, kHeight);
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
+        const double u = x - kWidth / 2.0, v = y - kHeight / 2.0;
+        const double px = std::cos(turn) * u - std::sin(turn) * v + dx, py = std::sin(turn) * u + std::cos(turn) * v;
+        const double level = seconds * std::pow(10, std::sin(px / 5) * std::cos(py / 4) + 0.5 * std::sin(px / 19));
+        exposed(x, y) = static_cast<float>(level) * Rgb(1, 1, 1);
+      }
+    }
+    return exposed;
+  };
+  save_picture(seen(0.1, 2.4, 0.0175), path("left.png"));
+  save_picture(seen(0.4, 0, 0), path("straight.png"));
+  const auto json = nlohmann::json::parse(good({"merge", "left.png", "straight.png", "--times", "1,4", "--response",
+                                                "srgb", "--align", "-o", "out.exr", "--json"})
+                                              .out);
+  const auto& turned = json.at("exposures").at(0);
+  EXPECT_TRUE(turned.at("aligned").get<bool>());
+  EXPECT_NEAR(turned.at("moved_px").at(0).get<double>(), 2.4, 0.1);
+  EXPECT_NEAR(turned.at("turned_deg").get<double>(), 1.0, 0.15);  // 0.1 px at a corner
+  EXPECT_LT(turned.at("residual_codes").get<double>(), 2);
+}
+
+/// A bracket of a ball that lies somewhere in a wider photograph.
+class CliMergeBall : public Cli {
+ protected:
+  static constexpr int kBall = 64, kLeft = 21, kTop = 9;
+  static constexpr const char* kCenter = "53,41";  // kLeft + 32, kTop + 32
+  static Rgb radiance(Vec3 d) {
+    const auto level = static_cast<float>(std::exp(2 * d.x + d.y * d.z));
+    return {level, 0.5f * level, 0.25f * level};
+  }
+  static std::vector<std::string> call(std::vector<std::string> more) {
+    std::vector<std::string> words = {"merge",   "a.png",      "b.png",      "c.png",
+                                      "--times", "1/16,1/4,1", "--response", "srgb"};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+  void SetUp() override {
+    Cli::SetUp();
+    const Mapping ball({Layout::kMirrorBall}, {kBall, kBall});
+    Image<Rgb> scene(120, 80, {3, 0.01f, 3});  // what is around must not be seen
+    for (int y = 0; y < kBall; ++y) {
+      for (int x = 0; x < kBall; ++x) {
+        if (const auto d = ball.direction(center_of({x, y}))) scene(kLeft + x, kTop + y) = radiance(*d);
+      }
+    }
+    for (const auto& [name, seconds] : {std::pair{"a.png", 1.0f / 16}, {"b.png", 1.0f / 4}, {"c.png", 1.0f}}) {
+      Image<Rgb> exposed = scene;
+      for (Rgb& p : exposed.values()) p = seconds * p;
+      save_picture(exposed, path(name));
+    }
+  }
+};
+
+TEST_F(CliMergeBall, BecomesAPanorama) {
+  good(call({"--from", "mirror-ball", "--center", kCenter, "--radius", "32", "--to", "equirect", "--size", "32", "-o",
+             "room.exr"}));
+  const Image<Rgb> room = pixels_of(path("room.exr"));
+  ASSERT_EQ(room.width(), 64);
+  const Mapping panorama({Layout::kEquirect}, {64, 32});
+  int compared = 0;
+  for (int y = 0; y < 32; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      const Vec3 d = *panorama.texel_direction(x, y);
+      if (d.x > 0.8) continue;  // behind the ball, at its rim, a texel stands for many directions
+      // 8 bits, and interpolation between texels of 3 degrees.
+      EXPECT_NEAR(std::log2(room(x, y).g / radiance(d).g), 0, 0.1) << x << ' ' << y;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 1600);
+}
+
+TEST_F(CliMergeBall, IsCutToItsCircle) {
+  good(call({"-o", "whole.exr"}));
+  good(call({"--from", "mirror-ball", "--center", kCenter, "--radius", "32", "-o", "ball.exr"}));
+  const Image<Rgb> whole = pixels_of(path("whole.exr")), ball = pixels_of(path("ball.exr"));
+  ASSERT_EQ(ball.width(), kBall);
+  ASSERT_EQ(ball.height(), kBall);
+  int compared = 0;
+  const Mapping mapping({Layout::kMirrorBall}, {kBall, kBall});
+  for (int y = 0; y < kBall; ++y) {
+    for (int x = 0; x < kBall; ++x) {
+      const auto d = mapping.direction(center_of({x, y}));
+      if (!d || d->x > 0.25) continue;  // at the rim a texel is many directions, and resampled
+      // The same texel; resampling takes means over a texel's area.
+      EXPECT_NEAR(ball(x, y).g / whole(kLeft + x, kTop + y).g, 1, 0.01) << x << ' ' << y;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 1800);
+}
+
+TEST_F(CliMergeBall, OtherVerbsTakeItsPlaceToo) {
+  good(call({"-o", "whole.exr"}));
+  good(call({"--from", "mirror-ball", "--center", kCenter, "--radius", "32", "--to", "equirect", "-o", "a.exr"}));
+  good({"convert", "whole.exr", "--from", "mirror-ball", "--center", kCenter, "--radius", "32", "--to", "equirect",
+        "-o", "b.exr"});
+  EXPECT_EQ(pixels_of(path("a.exr")).width(), 128);
+  EXPECT_EQ(bytes_of(path("a.exr")), bytes_of(path("b.exr")));
+  bad(3, {"convert", "whole.exr", "--from", "mirror-ball", "--to", "equirect", "-o", "x.exr"}, "--center");
+}
+
+TEST_F(CliMergeBall, BadProjections) {
+  bad(2, call({"--to", "equirect", "-o", "x.exr"}), "--to needs to know");
+  bad(2, call({"--center", "5,5", "-o", "x.exr"}), "--center needs to know");
+  bad(2, call({"-o", "x.ktx2"}), "KTX2");
+  bad(2, call({"--from", "mirror-ball", "--center", "500,5", "-o", "x.exr"}), "outside the picture");
+  bad(2, call({"--from", "mirror-ball", "--lens", "equisolid", "-o", "x.exr"}), "describe a fisheye");
+  bad(2, call({"--from", "equirect", "--center", "5,5", "-o", "x.exr"}), "place a circle");
+  bad(3, call({"--from", "equirect", "-o", "x.exr"}), "equirect");
 }
 
 /// The published merge of Debevec & Malik 1997 and its sixteen photographs, where they are at hand.
@@ -208,7 +328,7 @@ TEST_F(SlowCliMemorial, AgreesWithThePublishedMerge) {
   // by hand; a film's curve is known to a few per cent at best.
   int compared = 0;
   for (const auto& [method, median_relative, log_rms_stops] :
-       {Case{"debevec", 0.033, 0.125}, Case{"robertson", 0.055, 0.185}}) {
+       {Case{"debevec", 0.033, 0.125}, Case{"robertson", 0.05, 0.151}}) {
     std::vector<std::string> words = {"merge"};
     words.insert(words.end(), pictures.begin(), pictures.end());
     for (const std::string& word :

@@ -13,18 +13,23 @@ struct AlignOptions {
 
 /// How one exposure was laid on its neighbour.
 struct Alignment {
-  Shift shift;              ///< against the exposure that stays where it is
-  double disagreement = 0;  ///< share of the compared bits that differ from the next exposure toward that one
-  bool too_flat = false;    ///< nothing to hold on to (all black or all white): it was left where its neighbour is
+  Placement placement;        ///< against the exposure that stays where it is
+  double residual_codes = 0;  ///< robust standard deviation of the differences left between the smoothed pictures
+  double correlation = 1;     ///< of the two where they have structure
+  double error_px = 0;        ///< standard error of the place of a corner, by that residual
+  bool aligned = true;        ///< false: nothing to hold on to; it was left where its neighbour is
 };
 
-/// Finds the translation of hand-held shots and sets their shifts: median threshold bitmaps (Ward 2003). Both pictures
-/// of a pair are cut at the same percentile of their own brightness, which does not depend on the exposure; texels near
-/// the threshold do not count; the shift with the smallest share of different bits is looked for in full in pictures
-/// halved to some 32 texels, then refined by one texel at each finer level. Ward cuts at the median (here also at other
-/// percentiles, where the median is black or white) and looks one texel around at the coarsest level too. Neighbours in
-/// exposure are compared, and the middle exposure stays where it is. Whole texels; no rotation. For an arranged
-/// bracket.
+/// Finds shift and rotation of hand-held shots and sets their placements. Each exposure is compared with its neighbour
+/// toward the middle one, which stays where it is (with the next but one where that fails, and so on): coarsely by
+/// threshold bitmaps (align_bitmaps.h), then by least squares to a fraction of a texel (align_refine.h), the longer
+/// exposure's codes being brought to those of the shorter by their histograms (code_transfer.h): no response is needed,
+/// exposures may be stops apart, and what is clipped in one is clipped in both. Not aligned: pairs that correlate by
+/// less than 0.8, whose corners are uncertain by half a pixel or more, or that turned by more than 10 degrees. A
+/// placement within 0.05 px of whole texels everywhere becomes that: its texels keep their codes. Shift and rotation
+/// only: a camera that tilts by an angle a moves what is off the axis by more, by a² f at the most for shots of focal
+/// length f px. For an arranged bracket. O(exposures texels), a pair at a time in memory for each thread; same bits on
+/// any threads. Throws Error{kCancelled}.
 std::vector<Alignment> align_exposures(Exposures&, const AlignOptions& = {}, const Run& = {});
 
 }  // namespace zonal

@@ -1,21 +1,27 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "zonal/image/response.h"
 
 namespace zonal {
 
+/// Whether a code can be trusted; if not, why.
+enum class CodeState : std::uint8_t { kTrusted, kBlack, kSaturated, kMissing };
+
 /// What a code says about the light.
 struct CodeValue {
   float exposure = 0;      ///< radiance times seconds
-  float log_exposure = 0;  ///< its natural logarithm; meaningless where the weight is 0
-  float weight = 0;
+  float log_exposure = 0;  ///< its natural logarithm; meaningless unless trusted
+  float slope = 0;         ///< by how much that moves when the code does by 1/255; over 0 in a known exposure
+  float weight = 0;        ///< over 0 where trusted, 0 elsewhere
+  CodeState state = CodeState::kMissing;
 };
 
 /// A response and a weighting, tabulated for the codes of a picture: each of its `levels` exactly, and floats (levels
-/// 0) computed one by one. NaN (no data) has weight 0.
+/// 0) computed one by one.
 class CodeTable {
  public:
   CodeTable(const Response&, CodeWeight, const TrustedRanges&, int levels);
@@ -27,6 +33,7 @@ class CodeTable {
 
  private:
   CodeValue compute(int channel, float encoded) const;
+  float slope_at(int channel, float encoded) const;
 
   Response response_;
   CodeWeight kind_;

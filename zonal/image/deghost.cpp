@@ -6,7 +6,7 @@
 
 #include "zonal/base/check.h"
 #include "zonal/base/parallel.h"
-#include "zonal/image/code_table.h"
+#include "zonal/image/light_row.h"
 
 namespace zonal {
 namespace {
@@ -16,49 +16,13 @@ constexpr double kSmoothFrom = 1.0 / 8, kSmoothTo = 3.0 / 8;
 constexpr double kMedianToDeviation = 1.4826;  // of a normal distribution
 constexpr int kNoiseRows = 97;                 // rows in which the noise is measured
 
-using Row = std::vector<Rgb>;
-
-float channel_of(Rgb p, int c) { return c == 0 ? p.r : c == 1 ? p.g : p.b; }
-
-/// A logarithm of radiance and how far it moves when its code does by one.
-struct Reading {
-  float log_radiance = 0, slope = 0;
-  bool good = false;
-};
-
-/// Reads codes of one exposure as radiance.
-class Reader {
- public:
-  Reader(const CodeTable& table, const Response& response, double seconds)
-      : table_(table), log_seconds_(static_cast<float>(std::log(seconds))) {
-    for (int c = 0; c < 3; ++c) {
-      const ResponseCurve& curve = response.exposure[c];
-      for (int z = 0; z < kCodes; ++z) {
-        const double lower = curve[std::max(0, z - 1)], upper = curve[std::min(kCodes - 1, z + 1)];
-        slopes_[c][z] = lower > 0 ? static_cast<float>(std::log(upper / lower) / 2) : 1.0f;
-      }
-    }
-  }
-  Reading operator()(Rgb encoded, int c) const {
-    const float z = channel_of(encoded, c);
-    const CodeValue value = table_(c, z);
-    if (value.weight < kLeastWeight) return {};
-    const int code = static_cast<int>(255 * std::clamp(z, 0.0f, 1.0f) + 0.5f);
-    // A levelled stretch of the curve has no slope, and its codes are no more certain for that.
-    return {value.log_exposure - log_seconds_, std::max(slopes_[c][code], 1e-3f), true};
-  }
-
- private:
-  const CodeTable& table_;
-  float log_seconds_;
-  std::array<std::array<float, kCodes>, 3> slopes_;
-};
+using Row = std::vector<LightTexel>;
 
 class Comparison {
  public:
   Comparison(const Exposures& bracket, const Response& response, const TrustedRanges& trusted)
       : bracket_(bracket), tables_(bracket, response, CodeWeight::kHat, trusted) {
-    for (std::size_t k = 0; k < bracket.size(); ++k) readers_.emplace_back(tables_[k], response, bracket[k].seconds);
+    for (const Exposure& exposure : bracket) log_seconds_.push_back(static_cast<float>(std::log(exposure.seconds)));
   }
 
   int width() const { return bracket_[0].picture.width(); }
@@ -67,14 +31,14 @@ class Comparison {
 
   std::vector<Row> rows_at(int y) const {
     std::vector<Row> rows(bracket_.size(), Row(static_cast<std::size_t>(width())));
-    for (std::size_t k = 0; k < rows.size(); ++k) read_row(bracket_[k], y, rows[k]);
+    for (std::size_t k = 0; k < rows.size(); ++k) read_light(bracket_[k], tables_[k], y, rows[k]);
     return rows;
   }
 
   /// The sum of an exposure's weights in a row.
-  double weight(int k, const Row& row) const {
+  static double weight(const Row& row) {
     double sum = 0;
-    for (const Rgb& p : row) sum += tables_[k](0, p.r).weight + tables_[k](1, p.g).weight + tables_[k](2, p.b).weight;
+    for (const LightTexel& light : row) sum += light[0].weight + light[1].weight + light[2].weight;
     return sum;
   }
 
@@ -85,12 +49,13 @@ class Comparison {
     for (int c = 0; c < 3; ++c) {
       const int chosen = reference_at(rows, x, c, reference);
       if (chosen < 0) continue;
-      const Reading expected = readers_[chosen](rows[chosen][x], c);
+      const CodeValue& expected = rows[chosen][x][c];
       for (int k = 0; k < count(); ++k) {
         if (k == chosen) continue;
-        const Reading got = readers_[k](rows[k][x], c);
-        if (!got.good) continue;
-        f(k, std::abs(got.log_radiance - expected.log_radiance) / std::hypot(got.slope, expected.slope));
+        const CodeValue& got = rows[k][x][c];
+        if (got.weight < kLeastWeight) continue;
+        const float difference = got.log_exposure - log_seconds_[k] - (expected.log_exposure - log_seconds_[chosen]);
+        f(k, std::abs(difference) / std::hypot(got.slope, expected.slope));
       }
     }
   }
@@ -100,7 +65,7 @@ class Comparison {
   int reference_at(const std::vector<Row>& rows, int x, int c, int reference) const {
     for (int away = 0; away < count(); ++away) {
       for (const int k : {reference - away, reference + away}) {
-        if (k >= 0 && k < count() && readers_[k](rows[k][x], c).good) return k;
+        if (k >= 0 && k < count() && rows[k][x][c].weight >= kLeastWeight) return k;
       }
     }
     return -1;
@@ -108,7 +73,7 @@ class Comparison {
 
   const Exposures& bracket_;
   CodeTables tables_;
-  std::vector<Reader> readers_;
+  std::vector<float> log_seconds_;
 };
 
 int best_exposed(const Comparison& comparison, const Run& run) {
@@ -118,7 +83,7 @@ int best_exposed(const Comparison& comparison, const Run& run) {
       [&](Block block) {
         const std::vector<Row> rows = comparison.rows_at(block.begin);
         std::vector<double> sums;
-        for (int k = 0; k < comparison.count(); ++k) sums.push_back(comparison.weight(k, rows[k]));
+        for (int k = 0; k < comparison.count(); ++k) sums.push_back(Comparison::weight(rows[k]));
         return sums;
       },
       [](std::vector<double>& all, const std::vector<double>& row) {

@@ -11,7 +11,7 @@
 namespace zonal {
 namespace {
 
-constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+constexpr Rgb kNone = {kNoCode, kNoCode, kNoCode};
 
 /// The values as integers of 0..largest, if that keeps each bit of them.
 template <class Code>
@@ -77,18 +77,34 @@ int CodedPicture::levels() const {
   return kLevels[samples_.index()];
 }
 
+namespace {
+
+/// Three samples as 0..1.
+template <class T>
+Rgb encoded_of(const T* samples) {
+  constexpr float kLargest = std::is_floating_point_v<T> ? 1.0f : static_cast<float>(std::numeric_limits<T>::max());
+  return {static_cast<float>(samples[0]) / kLargest, static_cast<float>(samples[1]) / kLargest,
+          static_cast<float>(samples[2]) / kLargest};
+}
+
+}  // namespace
+
 void CodedPicture::row(int y, std::span<Rgb> into) const {
   check(y >= 0 && y < height_ && into.size() == static_cast<std::size_t>(width_), "a row must be in the picture");
   std::visit(
-      [&]<class T>(const std::vector<T>& samples) {
-        constexpr float kLargest =
-            std::is_floating_point_v<T> ? 1.0f : static_cast<float>(std::numeric_limits<T>::max());
-        const T* at = samples.data() + std::size_t{3} * static_cast<std::size_t>(y) * into.size();
-        for (Rgb& p : into) {
-          p = {static_cast<float>(at[0]) / kLargest, static_cast<float>(at[1]) / kLargest,
-               static_cast<float>(at[2]) / kLargest};
-          at += 3;
-        }
+      [&](const auto& samples) {
+        const auto* at = samples.data() + std::size_t{3} * static_cast<std::size_t>(y) * into.size();
+        for (Rgb& p : into) p = encoded_of(at), at += 3;
+      },
+      samples_);
+}
+
+void CodedPicture::pick(std::span<const std::size_t> texels, std::span<Rgb> into) const {
+  check(texels.size() == into.size(), "every texel needs its place");
+  std::visit(
+      [&](const auto& samples) {
+        std::transform(texels.begin(), texels.end(), into.begin(),
+                       [&](std::size_t texel) { return encoded_of(samples.data() + 3 * texel); });
       },
       samples_);
 }
@@ -108,26 +124,65 @@ void arrange(Exposures& bracket) {
   for (std::size_t i = 1; i < bracket.size(); ++i) check_pair(bracket[i - 1], bracket[i]);
 }
 
-void read_row(const Exposure& exposure, int y, std::span<Rgb> into) {
+namespace {
+
+/// The row of a photograph that was moved by whole texels.
+void read_moved_row(const Exposure& exposure, Shift shift, int y, std::span<Rgb> into) {
   const CodedPicture& picture = exposure.picture;
-  const auto [dx, dy] = exposure.shift;
+  const auto [dx, dy] = shift;
   const int width = picture.width(), from_y = y + dy;
   const int begin = std::clamp(-dx, 0, width), end = std::clamp(width - dx, 0, width);
   if (from_y < 0 || from_y >= picture.height() || begin >= end) {
-    std::fill(into.begin(), into.end(), Rgb(kNone, kNone, kNone));
+    std::fill(into.begin(), into.end(), kNone);
     return;
   }
   picture.row(from_y, into);
   if (!exposure.missing.empty()) {
     const auto missing = exposure.missing.row(from_y);
     for (std::size_t x = 0; x < into.size(); ++x) {
-      if (missing[x] != 0) into[x] = {kNone, kNone, kNone};
+      if (missing[x] != 0) into[x] = kNone;
     }
   }
   if (dx > 0) std::move(into.begin() + dx, into.end(), into.begin());
   if (dx < 0) std::move_backward(into.begin(), into.end() + dx, into.end());
-  std::fill(into.begin(), into.begin() + begin, Rgb(kNone, kNone, kNone));
-  std::fill(into.begin() + end, into.end(), Rgb(kNone, kNone, kNone));
+  std::fill(into.begin(), into.begin() + begin, kNone);
+  std::fill(into.begin() + end, into.end(), kNone);
+}
+
+/// The row of a photograph that was moved by parts of texels, or turned.
+void read_placed_row(const Exposure& exposure, int y, std::span<Rgb> into) {
+  const CodedPicture& picture = exposure.picture;
+  const Placing placing(exposure.placement, picture.center());
+  std::vector<std::size_t> texels(into.size());
+  std::vector<bool> shown(into.size());
+  for (std::size_t x = 0; x < into.size(); ++x) {
+    const PicturePoint q = placing({static_cast<double>(x) + 0.5, y + 0.5});
+    if (!(q.x >= 0 && q.y >= 0 && q.x < picture.width() && q.y < picture.height())) continue;
+    texels[x] = static_cast<std::size_t>(q.y) * into.size() + static_cast<std::size_t>(q.x);
+    shown[x] = exposure.missing.empty() || exposure.missing.values()[texels[x]] == 0;
+  }
+  picture.pick(texels, into);
+  for (std::size_t x = 0; x < into.size(); ++x) {
+    if (!shown[x]) into[x] = kNone;
+  }
+}
+
+}  // namespace
+
+void read_row(const Exposure& exposure, int y, std::span<Rgb> into) {
+  if (const std::optional<Shift> shift = whole_shift(exposure)) {
+    read_moved_row(exposure, *shift, y, into);
+  } else {
+    read_placed_row(exposure, y, into);
+  }
+}
+
+std::optional<Shift> whole_shift(const Exposure& exposure) {
+  const Placement& p = exposure.placement;
+  // Beyond this nothing of the photograph is left, and the move must fit an int.
+  constexpr double kFarthest = 1 << 30;
+  if (!is_whole(p) || std::abs(p.dx) > kFarthest || std::abs(p.dy) > kFarthest) return std::nullopt;
+  return Shift{static_cast<int>(p.dx), static_cast<int>(p.dy)};
 }
 
 std::int64_t mark_missing(Exposure& exposure, Rgb color, float tolerance) {

@@ -122,7 +122,7 @@ TEST(ReadRow, ShiftsAndHasNoDataOutside) {
   for (const Shift shift :
        {Shift{0, 0}, Shift{2, 1}, Shift{-2, -1}, Shift{0, 3}, Shift{9, 0}, Shift{-9, 0}, Shift{0, 9}}) {
     Exposure exposure = exposure_of(picture, 1);
-    exposure.shift = shift;
+    exposure.placement = {static_cast<double>(shift.dx), static_cast<double>(shift.dy)};
     std::vector<Rgb> row(5);
     for (int y = 0; y < 4; ++y) {
       read_row(exposure, y, row);
@@ -142,6 +142,25 @@ TEST(ReadRow, ShiftsAndHasNoDataOutside) {
   EXPECT_EQ(inside + outside, 7 * 20);
 }
 
+TEST(ReadRow, TakesTheTexelUnderAPlacedCentre) {
+  const Image<Rgb> picture = ramp(5, 4, 1.0f / 255);
+  Exposure exposure = exposure_of(picture, 1);
+  exposure.placement = {0.4, 0.6, 0};
+  std::vector<Rgb> row(5);
+  read_row(exposure, 1, row);
+  for (int x = 0; x < 5; ++x) EXPECT_EQ(row[x], picture(x, 2));
+  exposure.placement.rotation_deg = 180;
+  read_row(exposure, 1, row);
+  for (int x = 1; x < 5; ++x) EXPECT_EQ(row[x], picture(4 - x, 3)) << x;  // (4.9 - x, 3.1)
+  exposure.missing = Image<std::uint8_t>(5, 4);
+  exposure.missing(1, 3) = 1;
+  read_row(exposure, 1, row);
+  EXPECT_TRUE(std::isnan(row[3].g));
+  exposure.placement = {4.6, 0, 0};
+  read_row(exposure, 1, row);
+  for (int x = 0; x < 5; ++x) EXPECT_TRUE(std::isnan(row[x].g)) << x;
+}
+
 TEST(MarkMissing, FollowsTheShift) {
   Image<Rgb> picture(4, 1);
   picture(1, 0) = {0, 4.0f / 255, 250.0f / 255};
@@ -151,7 +170,7 @@ TEST(MarkMissing, FollowsTheShift) {
   read_row(exposure, 0, row);
   EXPECT_TRUE(std::isnan(row[1].b));
   EXPECT_EQ(row[2].b, 0);
-  exposure.shift = {1, 0};
+  exposure.placement = {1, 0};
   read_row(exposure, 0, row);
   EXPECT_TRUE(std::isnan(row[0].b));
   EXPECT_EQ(row[1].b, 0);

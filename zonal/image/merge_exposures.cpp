@@ -6,7 +6,7 @@
 
 #include "zonal/base/check.h"
 #include "zonal/base/parallel.h"
-#include "zonal/image/code_table.h"
+#include "zonal/image/light_row.h"
 
 namespace zonal {
 namespace {
@@ -30,15 +30,12 @@ struct TexelSums {
 /// What one exposure adds to a row.
 class RowAdder {
  public:
-  RowAdder(const CodeTable& table, const MergeOptions& options, double seconds)
-      : table_(table),
-        options_(options),
-        seconds_(static_cast<float>(seconds)),
-        log_seconds_(static_cast<float>(std::log(seconds))) {}
+  RowAdder(MergeRule rule, double seconds)
+      : rule_(rule), seconds_(static_cast<float>(seconds)), log_seconds_(static_cast<float>(std::log(seconds))) {}
 
-  void add(Rgb encoded, float mask, std::uint8_t place, TexelSums& texel) const {
-    const float total =
-        add(0, encoded.r, mask, texel) + add(1, encoded.g, mask, texel) + add(2, encoded.b, mask, texel);
+  void add(const LightTexel& light, float mask, std::uint8_t place, TexelSums& texel) const {
+    float total = 0;
+    for (int c = 0; c < 3; ++c) total += add(light[c], mask, texel.channel[c]);
     if (total <= texel.largest_weight) return;
     texel.largest_weight = total;
     texel.source = place;
@@ -46,33 +43,27 @@ class RowAdder {
 
  private:
   /// Returns the weight with which the code counts in the result.
-  float add(int c, float encoded, float mask, TexelSums& texel) const {
-    const CodeValue value = table_(c, encoded);
-    ChannelSums& sums = texel.channel[c];
-    if (value.weight <= 0) {
-      note_unusable(c, encoded, value.exposure / seconds_, sums);
+  float add(const CodeValue& value, float mask, ChannelSums& sums) const {
+    if (value.state != CodeState::kTrusted) {
+      note_unusable(value, sums);
       return 0;
     }
-    const bool squares = options_.rule == MergeRule::kLeastSquares;
-    const float w = mask * value.weight * (squares ? seconds_ * seconds_ : 1);
+    const bool squares = rule_ == MergeRule::kLeastSquares;
+    const float deviation = value.exposure * value.slope / seconds_;  // of the radiance, for one code of noise
+    const float w = mask * value.weight / (squares ? deviation * deviation : 1);
     sums.top += w * (squares ? value.exposure / seconds_ : value.log_exposure - log_seconds_);
     sums.bottom += w;
     return w;
   }
 
   /// Exposures come in rising order: the first saturated one is the shortest, the last black one the longest.
-  void note_unusable(int c, float encoded, float radiance, ChannelSums& sums) const {
-    if (std::isnan(encoded)) return;
-    if (255 * static_cast<double>(encoded) >= options_.trusted[c].highest) {
-      if (sums.bright++ == 0) sums.least = radiance;
-    } else {
-      ++sums.dark;
-      sums.most = radiance;
-    }
+  void note_unusable(const CodeValue& value, ChannelSums& sums) const {
+    const float radiance = value.exposure / seconds_;
+    if (value.state == CodeState::kSaturated && sums.bright++ == 0) sums.least = radiance;
+    if (value.state == CodeState::kBlack) ++sums.dark, sums.most = radiance;
   }
 
-  const CodeTable& table_;
-  const MergeOptions& options_;
+  MergeRule rule_;
   float seconds_, log_seconds_;
 };
 
@@ -119,16 +110,16 @@ Merge merge_exposures(const Exposures& bracket, const Response& response, const 
   Merge result{Image<Rgb>(width, height), Image<std::uint8_t>(width, height)};
   const auto work = [&](Block block) {
     Counts counts;
-    std::vector<Rgb> encoded(static_cast<std::size_t>(width));
-    std::vector<TexelSums> sums(encoded.size());
+    std::vector<LightTexel> light(static_cast<std::size_t>(width));
+    std::vector<TexelSums> sums(light.size());
     const int y = block.begin;
     for (std::size_t k = 0; k < bracket.size(); ++k) {
-      read_row(bracket[k], y, encoded);
-      const RowAdder adder(tables[k], options, bracket[k].seconds);
-      for (std::size_t x = 0; x < encoded.size(); ++x) {
+      read_light(bracket[k], tables[k], y, light);
+      const RowAdder adder(options.rule, bracket[k].seconds);
+      for (std::size_t x = 0; x < light.size(); ++x) {
         const float mask =
             options.masks.empty() ? 1 : std::max(kLeastMask, options.masks[k](static_cast<int>(x), y) / 255.0f);
-        adder.add(encoded[x], mask, static_cast<std::uint8_t>(k), sums[x]);
+        adder.add(light[x], mask, static_cast<std::uint8_t>(k), sums[x]);
       }
     }
     for (int x = 0; x < width; ++x)

@@ -10,8 +10,8 @@ namespace zonal {
 /// How a texel's radiance is averaged over the exposures, each channel for itself; X(z) is the response, t the seconds.
 enum class MergeRule {
   kLogMean,       ///< ln E = Σ w ln(X(z) / t) / Σ w with the hat w (Debevec & Malik 1997, eq. 6)
-  kLeastSquares,  ///< E = Σ w t X(z) / Σ w t² with the Gaussian w (Robertson et al. 1999): long exposures count
-                  ///< most
+  kLeastSquares,  ///< E = Σ w t X(z) / Σ w t² (Robertson et al. 2003), w the Gaussian over the variance that a code's
+                  ///< noise has as exposure, X'(z)²: long exposures count most, but not on a curve's shoulder
 };
 
 struct MergeOptions {
@@ -34,8 +34,8 @@ inline constexpr int kMostExposures = 252;
 /// lower bound by the shortest saturated one. No data in any: 0.
 struct Merge {
   Image<Rgb> radiance;
-  /// The exposure (its place in the bracket) that counts most in each texel, or one of the constants above: kOnlySaturated
-  /// and kInConflict when a channel is, kOnlyBlack when all three are.
+  /// The exposure (its place in the bracket) that counts most in each texel, or one of the constants above:
+  /// kOnlySaturated and kInConflict when a channel is, kOnlyBlack when all three are.
   Image<std::uint8_t> source;
   std::int64_t saturated = 0, black = 0, conflicting = 0, no_data = 0;  ///< texels with a channel that is
 };

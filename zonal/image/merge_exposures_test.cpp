@@ -110,6 +110,21 @@ TEST(MergeExposures, AveragesAsPublished) {
       1e-6);
 }
 
+TEST(MergeExposures, LeastSquaresTrustsASteepCurveLess) {
+  // A curve with a shoulder: codes over 128 stand for four times the light that the codes below do.
+  Response film;
+  for (ResponseCurve& curve : film.exposure) {
+    for (int z = 0; z < kCodes; ++z) curve[z] = z <= 128 ? z : 128 + 4 * (z - 128);
+  }
+  // 100 at 1 s; 180 at 4 s is 336, so 84: the two disagree. By code alone 4² and the Gaussian would decide for 84.
+  const double radiance =
+      merge_exposures(texel({{1, 100}, {4, 180}}), film, {.rule = MergeRule::kLeastSquares}).radiance(0, 0).g;
+  const double wa = code_weight(CodeWeight::kGaussian, {}, 100 / 255.0),
+               wb = code_weight(CodeWeight::kGaussian, {}, 180 / 255.0) * 16 / 16;  // t² over X'²
+  EXPECT_NEAR(radiance, (wa * 100 + wb * 84) / (wa + wb), 1e-4);
+  EXPECT_GT(radiance, 93);
+}
+
 TEST(MergeExposures, SaysWhereNothingIsKnown) {
   struct Case {
     std::vector<std::pair<double, int>> codes;
@@ -120,10 +135,10 @@ TEST(MergeExposures, SaysWhereNothingIsKnown) {
   const Case cases[] = {
       {{{0.5, 255}, {4, 255}}, 2, kOnlySaturated, {1, 0, 0, 0}},  // 1 / 0.5 s, a lower bound
       {{{0.5, 0}, {4, 0}}, 0, kOnlyBlack, {0, 1, 0, 0}},          //
-      {{{0.5, 0}, {4, 255}}, 0.25, kInConflict, {0, 0, 1, 0}},  // 1 / 4 s
-      {{{0.5, 255}, {4, 0}}, 2, kInConflict, {0, 0, 1, 0}},     // moved
-      {{{0.5, 51}, {4, 255}}, 0.4, 0, {0, 0, 0, 0}},          //
-      {{{0.5, 0}, {4, 51}}, 0.05, 1, {0, 0, 0, 0}},           //
+      {{{0.5, 0}, {4, 255}}, 0.25, kInConflict, {0, 0, 1, 0}},    // 1 / 4 s
+      {{{0.5, 255}, {4, 0}}, 2, kInConflict, {0, 0, 1, 0}},       // moved
+      {{{0.5, 51}, {4, 255}}, 0.4, 0, {0, 0, 0, 0}},              //
+      {{{0.5, 0}, {4, 51}}, 0.05, 1, {0, 0, 0, 0}},               //
   };
   int checked = 0;
   for (const Case& c : cases) {
@@ -137,7 +152,7 @@ TEST(MergeExposures, SaysWhereNothingIsKnown) {
   }
   EXPECT_EQ(checked, 12);
   Exposures outside = texel({{1, 100}, {2, 100}});
-  for (Exposure& e : outside) e.shift = {5, 0};
+  for (Exposure& e : outside) e.placement = {5, 0};
   const Merge merge = merge_exposures(outside, Response::linear());
   EXPECT_EQ(merge.no_data, 1);
   EXPECT_EQ(merge.source(0, 0), kNoData);

@@ -158,7 +158,7 @@ TEST(SampleFlatTexels, AvoidsEdgesAndWhatMoved) {
 TEST(SampleAllTexels, LeavesOutWhatHasNoData) {
   Exposures bracket = sample::bracket(sample::scene(20, 10), {sample::srgb_camera}, sample::five_times());
   EXPECT_EQ(sample_all_texels(bracket, 0).pixels(), 200);
-  bracket[2].shift = {3, -2};
+  bracket[2].placement = {3, -2};
   EXPECT_EQ(sample_all_texels(bracket, 0).pixels(), 17 * 8);
   EXPECT_EQ(sample_all_texels(bracket, 60).pixels(), 9 * 4);  // every 2nd texel of every 2nd row
 }

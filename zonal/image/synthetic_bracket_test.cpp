@@ -22,11 +22,18 @@ double hashed(int x, int y) {
 }
 
 /// Decades of radiance at a point of an endless scene.
-double log10_radiance(int x, int y) {
+double log10_radiance(double x, double y) {
   const double slope = 1.5 * std::sin(x / 47.0) + std::sin(y / 31.0 + x / 83.0);
   const double spots = 0.8 * std::sin(x / 7.0) * std::cos(y / 9.0);
-  const double block = 1.2 * (hashed(x >> 4, y >> 4) - 0.5);
+  const auto block_of = [](double at) { return static_cast<int>(std::floor(at / 16)); };
+  const double block = 1.2 * (hashed(block_of(x), block_of(y)) - 0.5);
   return std::clamp(slope + spots + block, -2.1, 2.1);
+}
+
+Rgb radiance_at(double x, double y) {
+  const double level = std::pow(10, log10_radiance(x, y));
+  const double warm = 0.3 * std::sin(x / 19.0 - y / 23.0);
+  return {static_cast<float>(level * (1 + warm)), static_cast<float>(level), static_cast<float>(level * (1 - warm))};
 }
 
 }  // namespace
@@ -42,11 +49,27 @@ Image<Rgb> scene(int width, int height, Shift offset) {
   Image<Rgb> radiance(width, height);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      const int u = x + offset.dx, v = y + offset.dy;
-      const double level = std::pow(10, log10_radiance(u, v));
-      const double warm = 0.3 * std::sin(u / 19.0 - v / 23.0);
-      radiance(x, y) = {static_cast<float>(level * (1 + warm)), static_cast<float>(level),
-                        static_cast<float>(level * (1 - warm))};
+      radiance(x, y) = radiance_at(x + offset.dx, y + offset.dy);
+    }
+  }
+  return radiance;
+}
+
+Image<Rgb> placed_scene(int width, int height, const Placement& placement) {
+  constexpr int kSide = 3;
+  Image<Rgb> radiance(width, height);
+  const Placing placing(placement, {width / 2.0, height / 2.0});
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      Rgb sum;
+      for (int i = 0; i < kSide * kSide; ++i) {
+        // Jittered: on a grid, hard edges would move by whole steps of it only.
+        const double u = hashed(kSide * x + i % kSide, kSide * y + i / kSide),
+                     v = hashed(-kSide * y - i, kSide * x - i);
+        const PicturePoint q = placing({x + (i % kSide + u) / kSide, y + (i / kSide + v) / kSide});
+        sum = sum + radiance_at(q.x - 0.5, q.y - 0.5);
+      }
+      radiance(x, y) = (1.0f / (kSide * kSide)) * sum;
     }
   }
   return radiance;

@@ -25,6 +25,10 @@ double film_camera(double exposure);
 /// in texels: scene(w, h, {dx, dy})(x, y) == scene(w, h)(x + dx, y + dy).
 Image<Rgb> scene(int width, int height, Shift offset = {});
 
+/// The same scene by a camera that moved and turned: what lies at p of placed_scene(w, h, placement) lies at the placed
+/// point of the scene. Texels gather the light of their area, as a sensor does.
+Image<Rgb> placed_scene(int width, int height, const Placement&);
+
 /// What the camera makes of radiance, as an encoded picture.
 Image<Rgb> photograph(const Image<Rgb>& radiance, const Camera&, double seconds);
 

@@ -1,16 +1,20 @@
 #include "zonal/io/exposure_time.h"
 
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfMultiPartInputFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
 #include <libexif/exif-data.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
-#include <vector>
+#include <utility>
 
 #include "zonal/base/check.h"
-#include "zonal/io/byte_reader.h"
-#include "zonal/io/file.h"
+#include "zonal/io/exif.h"
+#include "zonal/io/exr_headers.h"
+#include "zonal/io/exr_stream.h"
 
 namespace zonal {
 namespace {
@@ -56,13 +60,9 @@ std::optional<double> from_apex(std::optional<double> value, double factor) {
   return value ? positive(std::exp2(factor * *value)) : std::nullopt;
 }
 
-}  // namespace
-
-ExposureSettings decode_exposure_settings(std::span<const std::byte> jpeg) {
-  // libexif counts in unsigned int, and looks for what a photograph has at its beginning.
-  const std::size_t size = std::min<std::size_t>(jpeg.size(), std::numeric_limits<unsigned>::max() / 2);
+ExposureSettings settings_of_exif(const std::vector<std::uint8_t>& block) {
   const std::unique_ptr<ExifData, Release> data(
-      exif_data_new_from_data(reinterpret_cast<const unsigned char*>(jpeg.data()), static_cast<unsigned>(size)));
+      exif_data_new_from_data(block.data(), static_cast<unsigned>(block.size())));
   if (!data) return {};
   ExposureSettings settings;
   settings.seconds = positive(number_of(data.get(), EXIF_TAG_EXPOSURE_TIME));
@@ -73,9 +73,40 @@ ExposureSettings decode_exposure_settings(std::span<const std::byte> jpeg) {
   return settings;
 }
 
+ExposureSettings settings_of_exr(ByteReader& reader) {
+  try {
+    check_exr_headers(reader, {});
+    ExrInput stream(reader);
+    const Imf::MultiPartInputFile file(stream, 0, false);
+    const Imf::Header& header = file.header(0);
+    ExposureSettings settings;
+    if (Imf::hasExpTime(header)) settings.seconds = positive(Imf::expTime(header));
+    if (Imf::hasAperture(header)) settings.f_number = positive(Imf::aperture(header));
+    if (Imf::hasIsoSpeed(header)) settings.iso = positive(Imf::isoSpeed(header));
+    return settings;
+  } catch (const std::exception&) {
+    return {};  // whoever reads the picture says what is wrong with it
+  }
+}
+
+ExposureSettings settings_in(ByteReader& reader) {
+  constexpr std::array<std::uint8_t, 4> kExr = {0x76, 0x2f, 0x31, 0x01};
+  const std::vector<std::uint8_t> head = reader.head(kExr.size());
+  if (std::equal(head.begin(), head.end(), kExr.begin(), kExr.end())) return settings_of_exr(reader);
+  const std::vector<std::uint8_t> block = find_exif(reader);
+  return block.empty() ? ExposureSettings{} : settings_of_exif(block);
+}
+
+}  // namespace
+
+ExposureSettings decode_exposure_settings(std::vector<std::byte> file) {
+  ByteReader reader("", std::move(file));
+  return settings_in(reader);
+}
+
 ExposureSettings read_exposure_settings(const std::filesystem::path& path) {
-  if (ByteReader(path).head(3) != std::vector<std::uint8_t>{0xff, 0xd8, 0xff}) return {};  // no JPEG
-  return decode_exposure_settings(read_file(path));
+  ByteReader reader(path);
+  return settings_in(reader);
 }
 
 double equivalent_seconds(const ExposureSettings& settings, const ExposureSettings& as) {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
-#include <span>
+#include <vector>
 
 namespace zonal {
 
@@ -17,11 +17,12 @@ struct ExposureSettings {
   bool operator==(const ExposureSettings&) const = default;
 };
 
-/// The EXIF settings of a JPEG (EXIF 2.3: ExposureTime or ShutterSpeedValue, FNumber or ApertureValue,
-/// PhotographicSensitivity). Empty for files without them and for other formats. Any bytes are safe. Throws
-/// Error{kInput} when the file cannot be read.
+/// The settings that a file states: in the EXIF block of a JPEG or PNG (EXIF 2.3: ExposureTime or ShutterSpeedValue,
+/// FNumber or ApertureValue, PhotographicSensitivity), or as an OpenEXR file's standard attributes (expTime, aperture,
+/// isoSpeed). Empty for files without them and for other formats. Any bytes are safe. Throws Error{kInput} when the
+/// file cannot be read.
 ExposureSettings read_exposure_settings(const std::filesystem::path&);
-ExposureSettings decode_exposure_settings(std::span<const std::byte> jpeg);
+ExposureSettings decode_exposure_settings(std::vector<std::byte> file);
 
 /// The exposure relative to that at `as`: seconds at its aperture, sensitivity and filter. Settings that either does
 /// not state do not count. seconds must be there.

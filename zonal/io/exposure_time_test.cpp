@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "zonal/base/error.h"
+#include "zonal/io/exif.h"
 #include "zonal/io/file.h"
+#include "zonal/io/picture.h"
 #include "zonal/io/sample_files_test.h"
 
 namespace zonal {
@@ -18,8 +21,8 @@ struct Entry {
   std::int32_t top, bottom = 1;
 };
 
-/// A JPEG of one colour with the entries in its EXIF directory.
-std::vector<std::byte> photograph(const std::vector<Entry>& entries, bool little_endian) {
+/// An EXIF block with the entries in its EXIF directory.
+std::vector<std::uint8_t> exif_block(const std::vector<Entry>& entries, bool little_endian) {
   std::vector<std::uint8_t> app1 = {'E', 'x', 'i', 'f', 0, 0};
   const auto put = [&](std::uint32_t value, int count) {
     for (int i = 0; i < count; ++i)
@@ -44,51 +47,113 @@ std::vector<std::byte> photograph(const std::vector<Entry>& entries, bool little
   for (const Entry& e : entries) {
     if (e.type != 3) put(static_cast<std::uint32_t>(e.top), 4), put(static_cast<std::uint32_t>(e.bottom), 4);
   }
+  return app1;
+}
+
+/// A JPEG of one colour.
+std::vector<std::byte> photograph(const std::vector<Entry>& entries, bool little_endian) {
   sample::Jpeg jpeg{.width = 8, .height = 8};
   jpeg.samples.assign(8 * 8 * 3, 100);
-  jpeg.app1 = app1;
+  jpeg.app1 = exif_block(entries, little_endian);
   return sample::jpeg_file(jpeg);
+}
+
+/// A PNG of one colour with a chunk after its header: an EXIF block without its magic.
+std::vector<std::byte> png_file_with(const std::vector<std::uint8_t>& block) {
+  sample::Png png{.width = 8, .height = 8};
+  png.rows.assign(8 * 8 * 3, 100);
+  std::vector<std::byte> file = sample::png_file(png);
+  const auto size = static_cast<std::uint32_t>(block.size() - 6);
+  std::vector<std::byte> chunk;
+  for (int shift = 24; shift >= 0; shift -= 8) chunk.push_back(static_cast<std::byte>(size >> shift));
+  for (const char c : {'e', 'X', 'I', 'f'}) chunk.push_back(static_cast<std::byte>(c));
+  for (std::size_t i = 6; i < block.size(); ++i) chunk.push_back(static_cast<std::byte>(block[i]));
+  chunk.resize(chunk.size() + 4);  // a checksum, which nobody asks
+  constexpr std::ptrdiff_t kHeader = 8 + 25;
+  file.insert(file.begin() + kHeader, chunk.begin(), chunk.end());
+  return file;
+}
+
+std::vector<std::byte> png_photograph(const std::vector<Entry>& entries, bool little_endian) {
+  return png_file_with(exif_block(entries, little_endian));
 }
 
 constexpr int kTime = 0x829a, kFNumber = 0x829d, kIso = 0x8827, kShutter = 0x9201, kAperture = 0x9202;
 
+const std::vector<Entry> kUsual = {{kTime, 5, 1, 250}, {kFNumber, 5, 56, 10}, {kIso, 3, 1600}};
+
 TEST(ExposureSettings, AreReadFromExif) {
   int read = 0;
-  for (const bool little_endian : {false, true}) {
-    const ExposureSettings s = decode_exposure_settings(
-        photograph({{kTime, 5, 1, 250}, {kFNumber, 5, 56, 10}, {kIso, 3, 1600}}, little_endian));
-    EXPECT_EQ(s.seconds, 1.0 / 250);
-    EXPECT_EQ(s.f_number, 5.6);
-    EXPECT_EQ(s.iso, 1600);
-    const ExposureSettings apex =
-        decode_exposure_settings(photograph({{kShutter, 10, 8, 1}, {kAperture, 5, 5, 1}}, little_endian));
-    EXPECT_NEAR(apex.seconds.value(), 1.0 / 256, 1e-12);
-    EXPECT_NEAR(apex.f_number.value(), std::sqrt(32), 1e-12);
-    EXPECT_FALSE(apex.iso.has_value());
-    const ExposureSettings broken =
-        decode_exposure_settings(photograph({{kTime, 5, 1, 0}, {kFNumber, 5, 0, 1}, {kIso, 3, 0}}, little_endian));
-    EXPECT_EQ(broken, ExposureSettings{});
-    ++read;
+  for (const auto& file_of : {photograph, png_photograph}) {
+    for (const bool little_endian : {false, true}) {
+      const ExposureSettings s = decode_exposure_settings(file_of(kUsual, little_endian));
+      EXPECT_EQ(s.seconds, 1.0 / 250);
+      EXPECT_EQ(s.f_number, 5.6);
+      EXPECT_EQ(s.iso, 1600);
+      const ExposureSettings apex =
+          decode_exposure_settings(file_of({{kShutter, 10, 8, 1}, {kAperture, 5, 5, 1}}, little_endian));
+      EXPECT_NEAR(apex.seconds.value(), 1.0 / 256, 1e-12);
+      EXPECT_NEAR(apex.f_number.value(), std::sqrt(32), 1e-12);
+      EXPECT_FALSE(apex.iso.has_value());
+      const ExposureSettings broken =
+          decode_exposure_settings(file_of({{kTime, 5, 1, 0}, {kFNumber, 5, 0, 1}, {kIso, 3, 0}}, little_endian));
+      EXPECT_EQ(broken, ExposureSettings{});
+      ++read;
+    }
   }
-  EXPECT_EQ(read, 2);
+  EXPECT_EQ(read, 4);
+}
+
+TEST(ExposureSettings, AreReadFromOpenExr) {
+  const ExposureSettings s =
+      decode_exposure_settings(sample::exr_file(sample::Exr{.seconds = 0.125f, .f_number = 5.5f, .iso = 1600}));
+  EXPECT_EQ(s.seconds, 0.125);
+  EXPECT_EQ(s.f_number, 5.5);
+  EXPECT_EQ(s.iso, 1600);
+  EXPECT_EQ(decode_exposure_settings(sample::exr_file(sample::Exr{.seconds = -1})), ExposureSettings{});
+  EXPECT_EQ(decode_exposure_settings(sample::exr_file(sample::Exr{})), ExposureSettings{});
 }
 
 TEST(ExposureSettings, AnyBytesAreSafe) {
-  const std::vector<std::byte> whole = photograph({{kTime, 5, 1, 250}, {kFNumber, 5, 56, 10}, {kIso, 3, 1600}}, true);
   int tried = 0;
-  for (std::size_t length = 0; length < 140; ++length, ++tried) {
-    decode_exposure_settings(std::span(whole).first(length));
-  }
-  for (std::size_t at = 0; at < 140; ++at) {
-    for (const int value : {0, 1, 127, 128, 255}) {
-      std::vector<std::byte> changed = whole;
-      changed[at] = static_cast<std::byte>(value);
-      const ExposureSettings s = decode_exposure_settings(changed);
-      EXPECT_TRUE(!s.seconds || *s.seconds > 0);
-      ++tried;
+  for (std::vector<std::byte> whole :
+       {photograph(kUsual, true), png_photograph(kUsual, true), sample::exr_file(sample::Exr{.seconds = 0.125f})}) {
+    const std::size_t end = std::min<std::size_t>(whole.size(), 200);
+    for (std::size_t length = 0; length < end; ++length, ++tried) {
+      decode_exposure_settings({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length)});
+    }
+    for (std::size_t at = 0; at < end; ++at) {
+      for (const int value : {0, 1, 127, 128, 255}) {
+        std::vector<std::byte> changed = whole;
+        changed[at] = static_cast<std::byte>(value);
+        const ExposureSettings s = decode_exposure_settings(changed);
+        EXPECT_TRUE(!s.seconds || *s.seconds > 0);
+        ++tried;
+      }
     }
   }
-  EXPECT_EQ(tried, 140 + 5 * 140);
+  EXPECT_GT(tried, 3000);
+}
+
+TEST(Exif, ThePngsOrientationIsNoted) {
+  // The entry lies in the EXIF directory there; orientation belongs to the first, which holds a pointer: make it one.
+  std::vector<std::uint8_t> block = exif_block({}, false);
+  constexpr std::size_t kFirstTag = 6 + 8 + 2;
+  EXPECT_EQ(exif_orientation(block), 0);
+  block[kFirstTag] = 0x01, block[kFirstTag + 1] = 0x12, block[kFirstTag + 9] = 6;
+  EXPECT_EQ(exif_orientation(block), 6);
+  const Picture picture = decode_picture("a.png", png_file_with(block));
+  EXPECT_TRUE(std::any_of(picture.notes.begin(), picture.notes.end(),
+                          [](const std::string& note) { return note.find("orientation (6)") != std::string::npos; }));
+}
+
+TEST(ExposureSettings, AHugeBlockIsNotRead) {
+  std::vector<std::byte> file = png_photograph(kUsual, true);
+  constexpr std::size_t kLength = 8 + 25;  // of the chunk
+  file[kLength + 1] = static_cast<std::byte>(kLargestExif >> 16);
+  EXPECT_EQ(decode_exposure_settings(file), ExposureSettings{});  // it claims more than the file has
+  file.resize(2 * kLargestExif);
+  EXPECT_EQ(decode_exposure_settings(file), ExposureSettings{});
 }
 
 TEST(ExposureSettings, OtherFilesHaveNone) {

@@ -9,7 +9,6 @@
 #include <csetjmp>
 #include <cstring>
 
-#include "zonal/io/exif.h"
 #include "zonal/io/integer_samples.h"
 
 namespace zonal {
@@ -130,16 +129,6 @@ class JpegReader {
   Decoding session_;
 };
 
-void note_orientation(const jpeg_decompress_struct& jpeg, Picture& picture) {
-  for (const jpeg_marker_struct* marker = jpeg.marker_list; marker; marker = marker->next) {
-    const int orientation = exif_orientation(std::span(marker->data, marker->data_length));
-    if (orientation <= 1) continue;
-    picture.notes.push_back("the EXIF orientation (" + std::to_string(orientation) +
-                            ") is not applied: pixels are taken as stored");
-    return;
-  }
-}
-
 }  // namespace
 
 std::optional<Picture> load_jpeg(ByteReader& reader, const LoadOptions& options, const Run&) {
@@ -147,10 +136,7 @@ std::optional<Picture> load_jpeg(ByteReader& reader, const LoadOptions& options,
   if (magic != std::vector<std::uint8_t>{0xff, 0xd8, 0xff}) return std::nullopt;
   JpegReader file(reader);
   jpeg_decompress_struct& jpeg = file.jpeg();
-  file.run([&] {
-    jpeg_save_markers(&jpeg, JPEG_APP0 + 1, 0xffff);  // EXIF
-    jpeg_read_header(&jpeg, TRUE);
-  });
+  file.run([&] { jpeg_read_header(&jpeg, TRUE); });
   check_picture_size(reader, jpeg.image_width, jpeg.image_height, options);
   if (jpeg.jpeg_color_space == JCS_CMYK || jpeg.jpeg_color_space == JCS_YCCK) {
     reader.fail("this JPEG holds CMYK (ink), not light", "convert it to RGB");
@@ -158,7 +144,6 @@ std::optional<Picture> load_jpeg(ByteReader& reader, const LoadOptions& options,
   Picture picture;
   picture.format = "JPEG";
   picture.channels = jpeg.num_components;
-  note_orientation(jpeg, picture);
   const std::vector<float> linear = linear_of_samples(8, decide_srgb(options, false, picture));
 
   const bool grey = jpeg.jpeg_color_space == JCS_GRAYSCALE;

@@ -6,9 +6,8 @@
 
 namespace zonal {
 
-/// JPEG, grey or colour, baseline or progressive. Taken as sRGB unless the options say linear. An EXIF orientation
-/// other than upright is noted, not applied. nullopt: not this format. Throws Error{kInput}: broken, truncated, too
-/// large, CMYK.
+/// JPEG, grey or colour, baseline or progressive. Taken as sRGB unless the options say linear. nullopt: not this
+/// format. Throws Error{kInput}: broken, truncated, too large, CMYK.
 std::optional<Picture> load_jpeg(ByteReader&, const LoadOptions&, const Run&);
 
 }  // namespace zonal

@@ -8,6 +8,7 @@
 
 #include "zonal/base/check.h"
 #include "zonal/base/error.h"
+#include "zonal/io/exif.h"
 #include "zonal/io/exr.h"
 #include "zonal/io/hdr.h"
 #include "zonal/io/jpeg.h"
@@ -32,6 +33,14 @@ struct Format {
 constexpr std::array<Format, 4> kWriters = {
     {{".exr", write_exr}, {".hdr", write_hdr}, {".pfm", write_pfm}, {".png", write_png}}};
 
+void note_orientation(const ByteReader& file, Picture& picture) {
+  ByteReader reader = file.another();
+  const int orientation = exif_orientation(find_exif(reader));
+  if (orientation <= 1) return;
+  picture.notes.push_back("the EXIF orientation (" + std::to_string(orientation) +
+                          ") is not applied: pixels are taken as stored");
+}
+
 Picture decode(ByteReader& reader, const LoadOptions& options, const Run& run) {
   if (reader.size() == 0) reader.fail("the file is empty", "copy or download it again");
   for (const Loader load : kLoaders) {
@@ -41,6 +50,7 @@ Picture decode(ByteReader& reader, const LoadOptions& options, const Run& run) {
     if (is_float && options.encoding == Encoding::kSrgb) {
       picture->notes.push_back("float pictures are linear: the sRGB option is ignored");
     }
+    note_orientation(reader, *picture);
     if (picture->alpha) picture->notes.push_back("alpha is left out; colours are not divided by it");
     return std::move(*picture);
   }

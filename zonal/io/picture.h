@@ -48,7 +48,8 @@ struct SaveReport {
   std::int64_t clipped_pixels = 0;  ///< pixels with a channel outside the format's range (or NaN where it has none)
 };
 
-/// Reads OpenEXR, Radiance HDR, PFM, PNG, JPEG and TGA, told apart by their content, never by the name.
+/// Reads OpenEXR, Radiance HDR, PFM, PNG, JPEG and TGA, told apart by their content, never by the name. An EXIF
+/// orientation other than upright is noted, not applied.
 /// Throws Error{kInput}: missing, no known format, broken or truncated, more than max_pixels. Decoded picture plus
 /// small blocks of memory. `run` serves OpenEXR alone; the others are serial by nature.
 Picture load_picture(const std::filesystem::path&, const LoadOptions& = {}, const Run& run = {});

@@ -10,6 +10,7 @@
 #include <OpenEXR/ImfOutputPart.h>
 #include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfRgbaFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfTiledOutputFile.h>
 #include <half.h>
 
@@ -161,6 +162,9 @@ Imf::Header header_of(const Exr& spec) {
     const auto edge = static_cast<unsigned>(spec.tile);
     header.setTileDescription(Imf::TileDescription(edge, edge, static_cast<Imf::LevelMode>(spec.levels)));
   }
+  if (spec.seconds != 0) Imf::addExpTime(header, spec.seconds);
+  if (spec.f_number != 0) Imf::addAperture(header, spec.f_number);
+  if (spec.iso != 0) Imf::addIsoSpeed(header, spec.iso);
   if (!spec.part_name.empty()) {
     header.setName(spec.part_name);
     header.setType(spec.tile > 0 ? Imf::TILEDIMAGE : Imf::SCANLINEIMAGE);

@@ -69,6 +69,7 @@ struct Exr {
   std::string part_name = {};
   int missing_rows = 0;  ///< the writer stopped before the last rows
   Imf::LineOrder order = Imf::INCREASING_Y;
+  float seconds = 0, f_number = 0, iso = 0;  ///< of the exposure; 0: not stated
 };
 /// What channel `channel` of Exr::channels holds at (x, y) of the data window: a multiple of 1/8 in 8..16, all in one
 /// octave of the halves; for unsigned integer channels a whole number below 64.

@@ -70,13 +70,8 @@ PixelCircle fisheye_circle(const Environment& photograph) {
                 "a fisheye photograph is wanted, not " + std::string(name_of(photograph.projection.layout)),
                 "convert it first: zonal convert --to fisheye");
   }
-  const ImageSize size = size_of(photograph);
-  const Mapping checked(photograph.projection, size);  // throws where the lens is impossible
-  const Lens& lens = photograph.projection.lens;
-  const bool centered = lens.center_x_px == 0 && lens.center_y_px == 0;
-  const double x = centered ? size.width / 2.0 : lens.center_x_px, y = centered ? size.height / 2.0 : lens.center_y_px;
-  const double rx = lens.radius_x_px != 0 ? lens.radius_x_px : std::min({x, size.width - x, y, size.height - y});
-  return {x, y, rx, lens.radius_y_px != 0 ? lens.radius_y_px : rx};
+  const Mapping checked(photograph.projection, size_of(photograph));  // throws where the lens is impossible
+  return circle_of(photograph.projection, checked.size());
 }
 
 void require_equidistant_half_sphere(const Environment& photograph) {

@@ -18,7 +18,7 @@ bool same_picture(const Projection& a, const Projection& b) {
   const auto is_ball = [](const Projection& p) {
     return p.layout == Layout::kMirrorBall || p.layout == Layout::kSphereMap;
   };
-  return a == b || (is_ball(a) && is_ball(b));
+  return a == b || (is_ball(a) && is_ball(b) && a.lens == b.lens);
 }
 
 std::optional<Rgb> fill_for(const Environment& source, const Mapping& mapping, const ResampleOptions& options) {

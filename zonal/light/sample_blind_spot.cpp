@@ -28,11 +28,13 @@ std::vector<RingTexel> outermost(const Environment& e, const Mapping& mapping) {
 
 std::optional<BlindSpot> BlindSpot::of(const Environment& e, const Mapping& mapping) {
   if (e.projection.layout != Layout::kMirrorBall && e.projection.layout != Layout::kSphereMap) return std::nullopt;
+  if (!mapping.covers_sphere())
+    return std::nullopt;  // the picture's edge cuts the ball: its outermost texels are no ring
   const std::vector<RingTexel> ring = outermost(e, mapping);
   if (ring.empty()) return std::nullopt;
 
   BlindSpot spot;
-  spot.axis_ = -*mapping.direction({mapping.size().width / 2.0, mapping.size().height / 2.0});
+  spot.axis_ = -kBackwardMirrored.center;
   spot.side_ = normalize(cross(spot.axis_, {0, 0, 1}));
   spot.up_ = cross(spot.side_, spot.axis_);
   spot.low_ = spot.high_ = ring.front().radiance;

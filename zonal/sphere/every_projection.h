@@ -47,6 +47,12 @@ inline std::vector<Example> every_projection(int natural) {
   if (natural < 3) return examples;  // too small to hold a circle beside its centre
   const double n = natural;
   add(" off centre", {Layout::kFisheye, {LensModel::kEquidistant, 180, 0.45 * n, 0.53 * n, 0.41 * n}});
+  // A circle in a picture that is no square.
+  for (const Layout layout : {Layout::kMirrorBall, Layout::kSphereMap, Layout::kAngular}) {
+    examples.push_back({std::string(name_of(layout)) + " placed " + std::to_string(natural),
+                        {layout, {.center_x_px = 0.7 * n, .center_y_px = 0.55 * n, .radius_x_px = 0.43 * n}},
+                        {natural + natural / 2, natural}});
+  }
   add(" elliptic", {Layout::kFisheye, {LensModel::kStereographic, 200, 0.5 * n, 0.48 * n, 0.44 * n, 0.38 * n}});
   return examples;
 }

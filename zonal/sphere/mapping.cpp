@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "zonal/base/check.h"
 #include "zonal/base/error.h"
 #include "zonal/sphere/shape.h"
 
@@ -11,8 +12,9 @@ namespace {
 
 std::string text_of(ImageSize size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
 
-void require_shape(Layout layout, ImageSize size) {
-  if (natural_size(layout, size)) return;
+void require_shape(const Projection& projection, ImageSize size) {
+  if (natural_size(projection, size)) return;
+  const Layout layout = projection.layout;
   throw Error(ErrorKind::kInput, "a picture of " + text_of(size) + " texels cannot be " + std::string(name_of(layout)),
               shape_in_words(layout) + "; the nearest such size is " + text_of(nearest_size(layout, size)));
 }
@@ -35,13 +37,13 @@ PixelCircle circle_of(const Lens& lens, PixelBox box) {
   const bool centered = lens.center_x_px == 0 && lens.center_y_px == 0;
   const double x = centered ? width / 2 : lens.center_x_px, y = centered ? height / 2 : lens.center_y_px;
   if (!(x > 0 && x < width && y > 0 && y < height)) {
-    throw Error(ErrorKind::kUsage, "the fisheye's centre lies outside the picture",
+    throw Error(ErrorKind::kUsage, "the circle's centre lies outside the picture",
                 "give it in pixels from the top left corner, for a dual fisheye within the left half");
   }
   const double radius_x = lens.radius_x_px != 0 ? lens.radius_x_px : std::min({x, width - x, y, height - y});
   const double radius_y = lens.radius_y_px != 0 ? lens.radius_y_px : radius_x;
   if (!(radius_x >= 0.5 && radius_y >= 0.5 && std::isfinite(radius_x) && std::isfinite(radius_y))) {
-    throw Error(ErrorKind::kUsage, "the fisheye's radius must be half a pixel or more", "give it in pixels");
+    throw Error(ErrorKind::kUsage, "the circle's radius must be half a pixel or more", "give it in pixels");
   }
   return {box.x0 + x, box.y0 + y, radius_x, radius_y};
 }
@@ -53,9 +55,15 @@ PixelCircle filling(PixelBox box) { return circle_of({}, box); }
 
 }  // namespace
 
+PixelCircle circle_of(const Projection& projection, ImageSize size) {
+  check(has_circle(projection.layout), "a projection without a circle was asked for it");
+  const int across = projection.layout == Layout::kDualFisheye ? size.width / 2 : size.width;
+  return circle_of(projection.lens, {0, 0, across, size.height});
+}
+
 Mapping::Map Mapping::make(const Projection& projection, ImageSize size) {
-  require_shape(projection.layout, size);
-  const int natural = *natural_size(projection.layout, size);
+  require_shape(projection, size);
+  const int natural = *natural_size(projection, size);
   const Lens& lens = projection.lens;
   switch (projection.layout) {
     case Layout::kEquirect:
@@ -73,11 +81,11 @@ Mapping::Map Mapping::make(const Projection& projection, ImageSize size) {
     case Layout::kMirrorBall:
     case Layout::kSphereMap:
       // A ball's normal halves the angle of reflection, and an orthographic camera sees its sine: r = sin(θ/2).
-      return Disc(kBackwardMirrored, {LensModel::kEquisolid, kPi}, filling(whole(size)), whole(size));
+      return Disc(kBackwardMirrored, {LensModel::kEquisolid, kPi}, circle_of(projection, size), whole(size));
     case Layout::kAngular:
-      return Disc(kForward, {LensModel::kEquidistant, kPi}, filling(whole(size)), whole(size));
+      return Disc(kForward, {LensModel::kEquidistant, kPi}, circle_of(projection, size), whole(size));
     case Layout::kFisheye:
-      return Disc(kZenith, {lens.model, theta_max_of(lens)}, circle_of(lens, whole(size)), whole(size));
+      return Disc(kZenith, {lens.model, theta_max_of(lens)}, circle_of(projection, size), whole(size));
     case Layout::kDualParaboloid: {
       const RadialLaw law(LensModel::kStereographic, kPi / 2);
       const PixelBox left{0, 0, natural, natural}, right{natural, 0, 2 * natural, natural};

@@ -15,6 +15,10 @@
 
 namespace zonal {
 
+/// Where the circle of a fisheye, mirror ball, sphere map or angular map lies in a picture of this size, with the
+/// lens's defaults filled in; of a dual fisheye, the left one. Throws Error{kUsage} where that is impossible.
+PixelCircle circle_of(const Projection&, ImageSize);
+
 /// The geometry of one picture: a projection and a size. The one place where texels and directions meet.
 ///
 /// Neighbours. A picture consists of *charts*: the six faces of a cube, the two discs of a dual map, else the whole

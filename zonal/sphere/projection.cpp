@@ -85,6 +85,13 @@ std::optional<LensModel> lens_model_named(std::string_view name) {
 
 std::span<const Layout> all_layouts() { return kLayouts; }
 
+bool is_fisheye(Layout layout) { return layout == Layout::kFisheye || layout == Layout::kDualFisheye; }
+
+bool has_circle(Layout layout) {
+  return is_fisheye(layout) || layout == Layout::kMirrorBall || layout == Layout::kSphereMap ||
+         layout == Layout::kAngular;
+}
+
 ImageSize image_size(Layout layout, int size_px) {
   const Format& format = format_of(layout);
   check(size_px > 0 && size_px <= std::numeric_limits<int>::max() / std::max(format.columns, format.rows),
@@ -108,6 +115,17 @@ std::optional<int> natural_size(Layout layout, ImageSize size) {
   return fits ? std::optional(unit) : std::nullopt;
 }
 
+std::optional<int> natural_size(const Projection& projection, ImageSize size) {
+  const Lens& lens = projection.lens;
+  const double radius_px = std::max(lens.radius_x_px, lens.radius_y_px);
+  const bool placed = lens.center_x_px != 0 || lens.center_y_px != 0 || radius_px > 0;
+  if (!has_circle(projection.layout) || !placed) return natural_size(projection.layout, size);
+  const std::optional<int> unit =
+      natural_size(projection.layout == Layout::kDualFisheye ? Layout::kDualFisheye : Layout::kFisheye, size);
+  if (!unit || !(radius_px > 0 && radius_px <= std::numeric_limits<int>::max() / 4)) return unit;
+  return std::max(1, static_cast<int>(std::lround(2 * radius_px)));
+}
+
 std::string shape_in_words(Layout layout) {
   switch (layout) {
     case Layout::kEquirect:
@@ -120,6 +138,8 @@ std::string shape_in_words(Layout layout) {
       break;
   }
   const Format& format = format_of(layout);
+  if (has_circle(layout))
+    return "a picture of this kind is a square, or shows a circle that --center and --radius place";
   if (format.columns == format.rows) return "a picture of this kind is a square";
   return "a picture of this kind is " + std::to_string(format.columns) + ":" + std::to_string(format.rows);
 }

@@ -28,9 +28,10 @@ enum class Layout {
 /// How a fisheye lens maps the angle from its axis to the distance from the centre.
 enum class LensModel { kEquidistant, kEquisolid, kStereographic, kOrthographic };
 
-/// Where the circle lies in the picture. Centre and radii in pixels; centre (0, 0): the centre of the picture;
-/// radius_x_px 0: the largest circle that fits around the centre; radius_y_px 0: the same as radius_x_px. A dual
-/// fisheye's lens is measured in the left half; the right circle lies at the same place of the right half. fov_deg is
+/// A fisheye's lens, and where the circle of a fisheye, mirror ball, sphere map or angular map lies in the picture.
+/// Centre and radii in pixels; centre (0, 0): the centre of the picture; radius_x_px 0: the largest circle that fits
+/// around the centre; radius_y_px 0: the same as radius_x_px. A dual fisheye's lens is measured in the left half; the
+/// right circle lies at the same place of the right half. `model` and `fov_deg` describe fisheyes alone; fov_deg is
 /// the whole angle: over 0, at most 360 (equidistant, equisolid), under 360 (stereographic), at most 180
 /// (orthographic).
 struct Lens {
@@ -43,7 +44,7 @@ struct Lens {
 
 struct Projection {
   Layout layout = Layout::kEquirect;
-  Lens lens = {};  ///< used by kFisheye and kDualFisheye only
+  Lens lens = {};  ///< used where has_circle()
   bool operator==(const Projection&) const = default;
 };
 
@@ -52,6 +53,12 @@ std::string_view name_of(LensModel);
 std::optional<Layout> layout_named(std::string_view name);
 std::optional<LensModel> lens_model_named(std::string_view name);
 std::span<const Layout> all_layouts();
+
+/// Whether a lens describes a layout: how it maps angles, and where its circle lies.
+bool is_fisheye(Layout);
+/// Whether a layout is a circle (or two) that may be placed in a larger picture: the fisheyes, the balls and the
+/// angular map.
+bool has_circle(Layout);
 
 struct ImageSize {
   int width = 0, height = 0;
@@ -66,6 +73,9 @@ ImageSize image_size(Layout, int size_px);
 /// for kEquirect, which accepts 2:1 within 1 % (stitchers trim a few rows), and the fisheyes, which accept any (dual:
 /// an even width).
 std::optional<int> natural_size(Layout, ImageSize);
+/// The same for a projection: a circle that the lens places may lie in a picture of any shape, and its natural unit is
+/// its larger diameter, rounded.
+std::optional<int> natural_size(const Projection&, ImageSize);
 
 /// What the shape and the name of a picture suggest, and why, in words for the user.
 struct Guess {
