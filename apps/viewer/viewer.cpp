@@ -109,13 +109,12 @@ void Viewer::set_settings(const std::string& text) {
 }
 
 void Viewer::open(const std::vector<std::filesystem::path>& paths) {
-  std::vector<std::filesystem::path> pictures;
-  for (const std::filesystem::path& path : paths) {
-    if (is_mesh_path(path)) {
-      open_mesh(path.string());
-    } else {
-      pictures.push_back(path);
-    }
+  std::vector<std::filesystem::path> pictures, meshes;
+  for (const std::filesystem::path& path : paths) (is_mesh_path(path) ? meshes : pictures).push_back(path);
+  if (!meshes.empty()) open_mesh(meshes.back().string());
+  if (meshes.size() > 1) {
+    say({fmt::format("{} meshes: one is shown at a time", meshes.size()),
+         "the last of them is " + meshes.back().filename().string(), false});
   }
   if (pictures.empty()) return;
   open_light(file_names(pictures), [pictures](const Run& run) {
@@ -312,22 +311,28 @@ bool Viewer::advance(ImageSize size) {
   if (!light_ || !has_mesh_) return false;
   const bool was_done = picture_.done() && size == picture_.size();
   if (!was_done) draw(size);
-  if (!picture_.done()) return true;
-  if (!screenshot_.empty()) {
+  if (!was_done || !picture_.done()) return true;
+  // In frames of their own, when nobody waits for one.
+  const bool measured = difference_ || difference_failed_;
+  if (dragging_light_ || (measured && picture_.is_smooth())) {
+    if (screenshot_.empty()) return false;
     write_screenshot();
-    return true;
-  }
-  // In a frame of its own, when nobody waits for one.
-  if (was_done && !difference_ && !difference_failed_ && !dragging_light_) {
+  } else if (measured) {
+    smooth();
+  } else {
     measure();
-    return true;
   }
-  return !was_done || (!difference_ && !difference_failed_ && !dragging_light_);
+  return true;
+}
+
+void Viewer::smooth() {
+  // Half of a frame's time: a hand that begins to move is not held up.
+  guarded([&] { picture_.smooth(scene_, drawn_state(), kFrameMs / 2); });
 }
 
 bool Viewer::idle() const {
   const bool works = light_work_.busy() || mesh_work_.busy() || live_work_.busy() || highlight_work_.busy();
-  return !works && light_ && has_mesh_ && picture_.done() && (difference_ || difference_failed_);
+  return !works && light_ && has_mesh_ && picture_.is_smooth() && (difference_ || difference_failed_);
 }
 
 }  // namespace zonal

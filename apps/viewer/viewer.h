@@ -80,7 +80,7 @@ class Viewer {
   void replace_highlight(Image<Rgb>);
   void open_highlight(std::filesystem::path);
 
-  /// As soon as the picture is done.
+  /// As soon as the picture is done and its edges are smooth.
   void save_screenshot(std::filesystem::path);
 
   /// What runs in the background, for the progress bars.
@@ -90,7 +90,7 @@ class Viewer {
   /// Collects what is done and draws for a frame's time. Returns whether another frame is wanted at once.
   bool advance(ImageSize);
   const ScenePicture& picture() const { return picture_; }
-  /// Whether everything is loaded, drawn and measured.
+  /// Whether everything is loaded, drawn, measured and smooth.
   bool idle() const;
 
   /// nullopt while it is not known.
@@ -114,6 +114,7 @@ class Viewer {
   void find_used();
   void draw(ImageSize);
   void measure();
+  void smooth();
   void write_screenshot();
   /// What is drawn: turned by what the light's pixels are not turned by already.
   ViewState drawn_state() const;

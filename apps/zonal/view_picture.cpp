@@ -2,9 +2,6 @@
 
 #include "zonal/base/error.h"
 #ifdef ZONAL_HAS_GL
-#include <algorithm>
-#include <cmath>
-
 #include "zonal/gl/context.h"
 #include "zonal/gl/scene.h"
 #include "zonal/gl/target.h"
@@ -27,16 +24,12 @@ ViewPainter::ViewPainter(const ViewData& data, const std::string& mesh, const Me
 }
 
 Image<Rgb8> ViewPainter::picture(const ViewState& state, ImageSize size) {
-  const DrawTarget target(size.width, size.height);
-  target.bind();
+  const DrawTarget picture(size.width, size.height, {.texels = TargetTexels::kBytes}),
+      samples(size.width, size.height, {.texels = TargetTexels::kBytes, .samples = kEdgeSamples});
+  samples.bind();
   parts_->scene.draw(state, size.width, size.height);
-  const Image<Rgb> display = target.read();
-  Image<Rgb8> picture(size.width, size.height);
-  const auto byte = [](float x) { return static_cast<std::uint8_t>(std::clamp(x, 0.0f, 1.0f) * 255 + 0.5f); };
-  std::transform(display.values().begin(), display.values().end(), picture.values().begin(), [&](const Rgb& c) {
-    return Rgb8{byte(c.r), byte(c.g), byte(c.b)};
-  });
-  return picture;
+  samples.copy_to(picture, 0, size.height);
+  return picture.read_bytes();
 }
 
 double ViewPainter::difference(const ViewState& state, ImageSize size) {

@@ -36,7 +36,7 @@ const view = async (root, data) => {
     if (!data.embedded && location.hash !== address) history.replaceState(null, '', address);
   };
 
-  const gl = canvas.getContext('webgl2', {alpha: false, antialias: false, powerPreference: 'high-performance'});
+  const gl = canvas.getContext('webgl2', {alpha: false, antialias: true, powerPreference: 'high-performance'});
   const failed = (error) => {
     if (!(error instanceof LostContext)) panel.notice('picture', String(error.message ?? error));
   };
