@@ -8,9 +8,12 @@ namespace zonal {
 namespace {
 
 /// A field for a path; true when Return was pressed in it.
-bool path_field(const char* label, const char* hint, std::string& path) {
+bool path_field(PanelState& panel, const char* name, const char* hint, std::string& path) {
   ImGui::SetNextItemWidth(-1);
-  return ImGui::InputTextWithHint(label, hint, &path, ImGuiInputTextFlags_EnterReturnsTrue) && !path.empty();
+  const std::string label = std::string("##") + name;
+  const bool entered = ImGui::InputTextWithHint(label.c_str(), hint, &path, ImGuiInputTextFlags_EnterReturnsTrue);
+  panel.places.note(name);
+  return entered && !path.empty();
 }
 
 void draw_times(const Viewer& viewer) {
@@ -27,9 +30,10 @@ void draw_times(const Viewer& viewer) {
   }
 }
 
-void draw_shapes(Viewer& viewer) {
+void draw_shapes(Viewer& viewer, PanelState& panel) {
   for (const std::string_view name : mesh_shape_names()) {
     if (ImGui::RadioButton(std::string(name).c_str(), viewer.state().mesh == name)) viewer.open_mesh(std::string(name));
+    panel.places.note("mesh/" + std::string(name));
     ImGui::SameLine();
   }
   ImGui::NewLine();
@@ -39,14 +43,17 @@ void draw_shapes(Viewer& viewer) {
 
 void draw_light_panel(Viewer& viewer, PanelState& panel) {
   ImGui::TextWrapped("%s", shown(viewer.light_name()).c_str());
-  if (path_field("##light", "another image: drop it, or its path", panel.light_path)) viewer.open({panel.light_path});
+  if (path_field(panel, "light path", "another image: drop it, or its path", panel.light_path))
+    viewer.open({panel.light_path});
   draw_times(viewer);
   ImGui::Separator();
   ImGui::TextWrapped("%s", shown(viewer.mesh_name()).c_str());
-  draw_shapes(viewer);
-  if (path_field("##mesh", "another mesh: drop it, or its path", panel.mesh_path)) viewer.open_mesh(panel.mesh_path);
+  draw_shapes(viewer, panel);
+  if (path_field(panel, "mesh path", "another mesh: drop it, or its path", panel.mesh_path))
+    viewer.open_mesh(panel.mesh_path);
   bool y_up = viewer.mesh_up() == MeshUp::kY;
   if (ImGui::Checkbox("Y is up in every mesh file", &y_up)) viewer.set_mesh_up(y_up ? MeshUp::kY : MeshUp::kFormat);
+  panel.places.note("mesh up");
 }
 
 }  // namespace zonal

@@ -17,18 +17,21 @@ void draw_picture_panel(Viewer& viewer, PanelState& panel) {
   ImGui::TextDisabled("picture drawn in %.0f ms", viewer.picture().full_ms());
   ImGui::SetNextItemWidth(-100);
   ImGui::InputText("##screenshot", &panel.screenshot_path);
+  panel.places.note("screenshot path");
   ImGui::SameLine();
   if (ImGui::Button("Screenshot", {-1, 0})) viewer.save_screenshot(panel.screenshot_path);
+  panel.places.note("screenshot");
   // The settings follow what is done elsewhere, but not while someone writes them.
   if (!panel.settings_are_typed) panel.settings = state_text(viewer.state());
   ImGui::SetNextItemWidth(-1);
   const bool entered =
       ImGui::InputTextWithHint("##settings", "settings", &panel.settings, ImGuiInputTextFlags_EnterReturnsTrue);
   panel.settings_are_typed = ImGui::IsItemActive();
+  panel.places.note("settings");
   if (entered) viewer.set_settings(panel.settings);
 }
 
-void draw_notices(Viewer& viewer, float left, float top, float width) {
+void draw_notices(Viewer& viewer, PanelState& panel, float left, float top, float width) {
   const std::vector<WorkProgress> works = viewer.progress();
   if (works.empty() && viewer.messages().empty()) return;
   ImGui::SetNextWindowPos({left, top});
@@ -41,7 +44,10 @@ void draw_notices(Viewer& viewer, float left, float top, float width) {
     ImGui::TextWrapped("%s", shown(work.title).c_str());
     ImGui::ProgressBar(static_cast<float>(work.fraction), {-1, 0}, work.stage.c_str());
   }
-  if (!works.empty() && ImGui::Button("Cancel")) viewer.cancel();
+  if (!works.empty()) {
+    if (ImGui::Button("Cancel")) viewer.cancel();
+    panel.places.note("cancel");
+  }
   for (const ViewerMessage& message : viewer.messages()) {
     const ImVec4 color = message.failure ? ImVec4(1, 0.55f, 0.45f, 1) : ImGui::GetStyleColorVec4(ImGuiCol_Text);
     ImGui::PushStyleColor(ImGuiCol_Text, color);
@@ -52,7 +58,10 @@ void draw_notices(Viewer& viewer, float left, float top, float width) {
     ImGui::TextWrapped("%s", shown(message.hint).c_str());
     ImGui::PopStyleColor();
   }
-  if (!viewer.messages().empty() && ImGui::Button("Dismiss")) viewer.dismiss_messages();
+  if (!viewer.messages().empty()) {
+    if (ImGui::Button("Dismiss")) viewer.dismiss_messages();
+    panel.places.note("dismiss");
+  }
   ImGui::End();
 }
 

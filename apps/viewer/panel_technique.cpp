@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -20,9 +21,12 @@ std::vector<std::string_view> groups() {
 
 }  // namespace
 
-void draw_technique_panel(Viewer& viewer) {
+void draw_technique_panel(Viewer& viewer, PanelState& panel) {
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::BeginCombo("##technique", shown(viewer.state().technique->title).c_str(), ImGuiComboFlags_HeightLargest)) {
+  const bool open =
+      ImGui::BeginCombo("##technique", shown(viewer.state().technique->title).c_str(), ImGuiComboFlags_HeightLargest);
+  if (!open) panel.places.note("technique");
+  if (open) {
     for (const std::string_view group : groups()) {
       ImGui::TextDisabled("%s", shown(group).c_str());
       ImGui::Indent();
@@ -31,6 +35,7 @@ void draw_technique_panel(Viewer& viewer) {
         ImGui::PushID(technique.id.data(), technique.id.data() + technique.id.size());
         const bool chosen = &technique == viewer.state().technique;
         if (ImGui::Selectable(shown(technique.title).c_str(), chosen)) viewer.set_technique(technique);
+        panel.places.note(fmt::format("technique/{}", technique.id));
         ImGui::PopID();
       }
       ImGui::Unindent();

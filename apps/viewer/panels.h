@@ -4,6 +4,7 @@
 
 #include "apps/viewer/picture_texture.h"
 #include "apps/viewer/viewer.h"
+#include "apps/viewer/widget_places.h"
 
 namespace zonal {
 
@@ -24,12 +25,14 @@ struct PanelState {
   std::string light_path, mesh_path, screenshot_path = "zonal-view.png", settings;
   bool settings_are_typed = false;
   PaintState paint;
+  bool help = false;  ///< whether it is shown
+  WidgetPlaces places;
 };
 
 /// All techniques in their chapters, and what the chosen one is.
-void draw_technique_panel(Viewer&);
+void draw_technique_panel(Viewer&, PanelState&);
 /// Sliders, lists and marks as the table of controls has them: the common ones, those of the technique.
-void draw_control_panel(Viewer&);
+void draw_control_panel(Viewer&, PanelState&);
 /// A disc to paint a highlight on, where the settings ask for a person's own.
 void draw_highlight_panel(Viewer&, PaintState&);
 /// The light and the object: names, files, turning, how long a turn takes.
@@ -37,6 +40,10 @@ void draw_light_panel(Viewer&, PanelState&);
 /// The difference to the exact answer, time of drawing, screenshot, settings.
 void draw_picture_panel(Viewer&, PanelState&);
 /// Progress with a way to stop it, and messages, over the picture.
-void draw_notices(Viewer&, float left, float top, float width);
+void draw_notices(Viewer&, PanelState&, float left, float top, float width);
+/// A button in a corner of the picture that opens and closes what draw_help() shows.
+void draw_help_button(PanelState&, float right, float bottom);
+/// What mouse and keys do, in the middle of a window of this size, while the state says so.
+void draw_help(PanelState&, float width, float height);
 
 }  // namespace zonal

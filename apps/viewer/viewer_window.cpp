@@ -91,10 +91,25 @@ void ViewerWindow::key(int key, bool pressed) {
     case GLFW_KEY_KP_SUBTRACT:
       zoom(camera, -1);
       break;
+    case GLFW_KEY_F1:
+      panels_.help = !panels_.help;
+      return;
+    case GLFW_KEY_ESCAPE:
+      leave();
+      return;
     default:
       return;
   }
   viewer_.set_camera(camera);
+}
+
+void ViewerWindow::leave() {
+  if (panels_.help) {
+    panels_.help = false;
+  } else {
+    viewer_.dismiss_messages();
+  }
+  ImGui::SetWindowFocus(nullptr);
 }
 
 void ViewerWindow::dropped(const std::vector<std::filesystem::path>& paths) {
@@ -107,6 +122,10 @@ bool ViewerWindow::draw_frame() {
   viewer_.set_time(std::chrono::duration<double>(std::chrono::steady_clock::now() - opened_).count());
   const bool wants_more = viewer_.advance(area.size);
 
+  if (viewer_.light_name() != titled_) {
+    titled_ = viewer_.light_name();
+    window_.set_title(titled_ + " - Zonal");
+  }
   const ImageSize pixels = window_.framebuffer_size();
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glViewport(0, 0, pixels.width, pixels.height);
@@ -115,24 +134,29 @@ bool ViewerWindow::draw_frame() {
   if (viewer_.picture().size().width > 0) viewer_.picture().show(area.left, area.bottom);
 
   window_.begin_panels();
+  panels_.places.begin_frame();
   const auto width = static_cast<float>(panel_width());
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize({width, static_cast<float>(window_.size().height)});
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                      ImGuiWindowFlags_NoBringToFrontOnFocus;
+                                      ImGuiWindowFlags_NoBringToFrontOnFocus |
+                                      ImGuiWindowFlags_NoFocusOnAppearing;  // the keys are the picture's at first
   ImGui::Begin("panels", nullptr, kFlags);
   constexpr ImGuiTreeNodeFlags kOpen = ImGuiTreeNodeFlags_DefaultOpen;
-  if (ImGui::CollapsingHeader("Technique", kOpen)) draw_technique_panel(viewer_);
+  if (ImGui::CollapsingHeader("Technique", kOpen)) draw_technique_panel(viewer_, panels_);
   if (ImGui::CollapsingHeader("Controls", kOpen)) {
     draw_highlight_panel(viewer_, panels_.paint);
-    draw_control_panel(viewer_);
+    draw_control_panel(viewer_, panels_);
   }
   if (ImGui::CollapsingHeader("Picture", kOpen)) draw_picture_panel(viewer_, panels_);
   if (ImGui::CollapsingHeader("Light and object", kOpen)) draw_light_panel(viewer_, panels_);
   ImGui::End();
-  const float margin = 10;
-  draw_notices(viewer_, width + margin, margin, static_cast<float>(window_.size().width) - width - 2 * margin);
+  constexpr float kMargin = 10;
+  const auto whole = static_cast<float>(window_.size().width), high = static_cast<float>(window_.size().height);
+  draw_notices(viewer_, panels_, width + kMargin, kMargin, whole - width - 2 * kMargin);
+  draw_help_button(panels_, whole, high);
+  draw_help(panels_, whole, high);
   window_.end_panels();
   return wants_more;
 }

@@ -10,7 +10,7 @@
 namespace zonal {
 
 /// The viewer in its window: panels on the left, the picture on the right. Left drag goes around the object, right drag
-/// turns the light, the wheel zooms; arrow keys and + - do the same.
+/// turns the light, the wheel zooms; arrow keys and + - move the eye as well. F1 shows all of it.
 class ViewerWindow {
  public:
   /// Throws Error{kUsage} where no window can be opened.
@@ -25,6 +25,8 @@ class ViewerWindow {
 
   ScreenWindow& window() { return window_; }
   Viewer& viewer() { return viewer_; }
+  /// Of the last frame.
+  const WidgetPlaces& places() const { return panels_.places; }
 
   // What a person does, as the window passes it on. Positions in the window's units.
   void pointer_moved(double x, double y);
@@ -40,10 +42,13 @@ class ViewerWindow {
   };
   Area picture_area() const;
   double panel_width() const;
+  /// Closes what lies over the picture and gives it the keys.
+  void leave();
 
   ScreenWindow window_;
   Viewer viewer_;
   PanelState panels_;
+  std::string titled_;  // what the window's title names
   double x_ = 0, y_ = 0;
   std::array<bool, 3> held_ = {};
   int frames_owed_ = 3;  // the panels settle over some frames after each event

@@ -51,7 +51,10 @@ struct ScreenWindow::Callbacks {
   static void key(GLFWwindow* window, int key, int code, int action, int mods) {
     const ScreenWindow& self = of(window);
     ImGui_ImplGlfw_KeyCallback(window, key, code, action, mods);
-    if (self.events_.key && !ImGui::GetIO().WantCaptureKeyboard) self.events_.key(key, action != GLFW_RELEASE);
+    // Help and the way out of everything are there whatever has the keys, but for a field that someone types in.
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool everywhere = (key == GLFW_KEY_F1 || key == GLFW_KEY_ESCAPE) && !io.WantTextInput;
+    if (self.events_.key && (everywhere || !io.WantCaptureKeyboard)) self.events_.key(key, action != GLFW_RELEASE);
   }
   static void character(GLFWwindow* window, unsigned code) {
     of(window);
@@ -122,6 +125,7 @@ ScreenWindow::~ScreenWindow() {
   glfwTerminate();
 }
 
+void ScreenWindow::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
 bool ScreenWindow::is_closed() const { return glfwWindowShouldClose(window_); }
 void ScreenWindow::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
 

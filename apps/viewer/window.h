@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "zonal/sphere/projection.h"
@@ -31,6 +32,7 @@ class ScreenWindow {
 
   /// The panels get every event first, and keep those that are meant for them.
   void set_events(WindowEvents events) { events_ = std::move(events); }
+  void set_title(const std::string&);
   bool is_closed() const;
   void close();
   /// In pixels, which may be smaller than the window's units.

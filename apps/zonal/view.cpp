@@ -105,8 +105,9 @@ void write_page(const ViewData& data, const ViewState& state, const ViewOptions&
 }
 
 void open_window(const ViewOptions& options, const ViewState& state, Call& call) {
-  const auto light = [&options](const Run& run) {
+  const auto light = [&options, quiet = call.console.quiet](const Run& run) {
     Call background;  // notes and warnings go to the terminal as they do elsewhere
+    background.console.quiet = quiet;
     background.run = run;
     return panorama_of(options, background);
   };
