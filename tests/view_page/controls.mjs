@@ -31,6 +31,8 @@ const known = {
   // The technique does not see the size of a lamp; its exact answer does, where the horizon cuts it.
   lamp_radius: {state: 'technique=near-lamp&compare=2&difference_gain=32'},
   light_set: {from: 1, to: 2},
+  sky_form: {state: 'technique=TECHNIQUE&sky_map=1&shininess=100'},
+  sky_grey: {state: 'technique=TECHNIQUE&sky_ground=2', does: 'brighter'},
   window_strength: {state: 'technique=sh-bands&window_kind=1&bands=6&tint_negative=0', does: 'smoother'},
 };
 

@@ -14,6 +14,8 @@ struct Case {
 // Light is stored in half floats, which round by 2^-12 at most; places in a picture are floats (near a pole of a
 // panorama, where a test card has edges, that shows); the rest is what lies between the texels of a filtered map.
 constexpr double kFloat = 2e-6, kHalf = 1.0 / 2048, kPole = 0.005;
+// At a cube's corner three texels meet; which of them stands for the fourth is not the same everywhere.
+constexpr double kCorner = 0.02;
 constexpr Case kTechniques[] = {
     {"technique=lambert&ambient_light=0", kFloat, kFloat},
     {"technique=lambert&ambient_light=1", kFloat, kFloat},
@@ -39,6 +41,16 @@ constexpr Case kTechniques[] = {
     {"technique=reflection-space&f0=0.7&roughness=0.5", 0.04, 0.15, 29},
     {"technique=reflection-space&reflection_by=1&roughness=0.7", 0.05, 0.15, 29},
     {"technique=irradiance-map", kHalf, 0.01},
+    {"technique=fisheye-maps", kHalf, 4 * kHalf},
+    {"technique=fisheye-maps&sky_outside=1&sky_ground=1", kHalf, 4 * kHalf},
+    {"technique=fisheye-maps&sky_outside=2&sky_form=1&sky_ground=2&sky_grey=0.7", kHalf, 4 * kHalf},
+    {"technique=fisheye-maps&sky_form=2", kHalf, kCorner},
+    {"technique=fisheye-maps&sky_weights=1", kHalf, 4 * kHalf},
+    {"technique=fisheye-maps&sky_weights=1&sky_outside=2&sky_form=1", kHalf, 4 * kHalf},
+    {"technique=fisheye-maps&sky_weights=1&sky_outside=1&sky_form=2&sky_ground=2", kHalf, kCorner},
+    {"technique=fisheye-maps&sky_map=1&shininess=512", kHalf, 4 * kHalf},
+    {"technique=fisheye-maps&sky_map=1&shininess=512&sky_outside=2&sky_weights=1", kHalf, 4 * kHalf},
+    {"technique=fisheye-maps&sky_map=1&shininess=1&sky_outside=2&sky_form=2", kHalf, kCorner},
     {"technique=vector-irradiance", kFloat, kFloat},
     {"technique=vector-irradiance&vector_back=1", kFloat, kFloat},
     {"technique=near-lamp", kFloat, kFloat},
@@ -82,6 +94,8 @@ TEST_F(SlowScene, ExactAnswersAreSumsOverTheTexels) {
       {"technique=irradiance-map", kHalf, 0.01},
       {"technique=blinn-newell", 4 * kHalf, kPole},
       {"technique=bump&bump_depth=0", 4 * kHalf, kPole},
+      {"technique=fisheye-maps", kHalf, 0.01},
+      {"technique=fisheye-maps&sky_map=1&shininess=30", kHalf, kHalf},
       {"technique=phong&shininess=5", kHalf, kHalf},
       {"technique=phong&shininess=100", kHalf, kHalf},
       {"technique=split-sum&roughness=0.5&f0=0.2", kHalf, kHalf},

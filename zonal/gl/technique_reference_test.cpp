@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "zonal/base/check.h"
+#include "zonal/gl/fisheye_maps_reference_test.h"
 #include "zonal/gl/reference_lookups_test.h"
 #include "zonal/light/ambient_reflectance.h"
 #include "zonal/light/brdf.h"
@@ -205,7 +206,7 @@ Image<Rgb> painted_highlight() {
 }
 
 ViewDataOptions small_view_data() {
-  return {.panorama_px = 64, .cube_px = 32, .chain_px = 64, .irradiance_px = 32, .reference_rows = 16};
+  return {.panorama_px = 64, .cube_px = 32, .chain_px = 64, .irradiance_px = 32, .sky_px = 16, .reference_rows = 16};
 }
 
 PointLight technique_reference(const Environment& panorama, const ViewState& state) {
@@ -279,6 +280,7 @@ PointLight technique_reference(const Environment& panorama, const ViewState& sta
       return (f0 * split.scale + split.bias) * mean(p);
     };
   }
+  if (id == "fisheye-maps") return fisheye_maps_reference(panorama, state);
   if (id == "irradiance-map") return of_normal(state, through(panorama, Lobe::cosine()), albedo);
   if (id == "vector-irradiance") {
     if (state.value("vector_back") == 1) {
@@ -336,6 +338,10 @@ PointLight exact_reference(const Environment& panorama, const ViewState& state) 
       return lamp(project(panorama, 6), state, true);
     case Exact::kNine:
       return technique_reference(panorama, state);
+    case Exact::kSkyMap:
+      if (state.value("sky_map") == 0)
+        return of_normal(state, through(panorama, Lobe::cosine()), state.value("albedo"));
+      [[fallthrough]];
     case Exact::kPhong: {
       const Environment small = resample(panorama, {Layout::kEquirect}, small_view_data().reference_rows);
       return of_mirrored(state, [small, shininess = state.value("shininess")](Vec3 d) {

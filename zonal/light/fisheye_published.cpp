@@ -42,10 +42,13 @@ Image<Rgb> means_of(const Environment& photograph, const PublishedOptions& optio
   return map;
 }
 
-/// GL_LINEAR with GL_CLAMP_TO_BORDER, in the square of a map that begins at column `left`.
+/// GL_LINEAR with GL_CLAMP_TO_BORDER, or of a pair GL_CLAMP_TO_EDGE, in the square of a map that begins at column
+/// `left`.
 Rgb read_linear(const Image<Rgb>& map, int left, double u, double v, Rgb border) {
   const int size = map.height();
+  const bool pair = map.width() > size;
   const auto texel = [&](int x, int y) {
+    if (pair) return RgbD(map(left + std::clamp(x, 0, size - 1), std::clamp(y, 0, size - 1)));
     return RgbD(x >= 0 && y >= 0 && x < size && y < size ? map(left + x, y) : border);
   };
   const double x = u * size - 0.5, y = v * size - 0.5;

@@ -45,7 +45,8 @@ Image<Rgb> published_paraboloid(const Environment& photograph, const PublishedOp
 Image<Rgb> first_published_disc(const Environment& photograph, const PublishedOptions&, const Run& = {});
 
 /// What OpenGL reads from a published paraboloid map (with kTwo: a pair) in each direction of another picture: texel
-/// centres at (x + 1/2)/size, linear between them, the ground as border colour.
+/// centres at (x + 1/2)/size, linear between them, the ground as border colour; of a pair the edge goes on, for its
+/// maps meet at the circles, which touch the squares' edges.
 Environment read_paraboloid(const Image<Rgb>& map, Rgb ground, const Projection&, ImageSize);
 
 }  // namespace zonal

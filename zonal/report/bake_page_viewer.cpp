@@ -7,7 +7,7 @@ namespace zonal {
 
 BakePageViewer bake_page_viewer(const Environment& panorama, const Run& run) {
   // A quarter of the texels of a page that is nothing but a viewer.
-  const ViewData light = view_data(panorama, {.panorama_px = 128, .cube_px = 64, .chain_px = 64}, run);
+  const ViewData light = view_data(panorama, {.panorama_px = 128, .cube_px = 64, .chain_px = 64, .sky_px = 16}, run);
   ViewState state;
   state.technique = technique_named("split-sum");  // what a bake is for
   check(state.technique != nullptr, "the viewer opens with a technique that it has");

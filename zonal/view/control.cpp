@@ -30,6 +30,13 @@ constexpr std::array<std::string_view, 11> kLightSets = {"each for a second", "O
                                                          "Galileo's tomb",    "Vine Street kitchen",  "Breezeway",
                                                          "Campus Sunset",     "Funston Beach Sunset"};
 
+constexpr std::array<std::string_view, 2> kSkyMaps = {"irradiance", "blurred reflection"};
+constexpr std::array<std::string_view, 2> kSkyWeights = {"as published", "corrected"};
+constexpr std::array<std::string_view, 3> kSkyOutsides = {"the ground (as published)",
+                                                          "extended (the author's footnote)", "two paraboloids"};
+constexpr std::array<std::string_view, 3> kSkyForms = {"paraboloid", "panorama", "cube map"};
+constexpr std::array<std::string_view, 3> kSkyGrounds = {"mean of the lower half", "black", "grey"};
+
 constexpr std::size_t kCommon = 8;
 constexpr Control kControls[] = {
     {.name = "exposure_ev", .label = "exposure, EV", .least = -12, .greatest = 12, .step = 0.25},
@@ -99,6 +106,16 @@ constexpr Control kControls[] = {
      .greatest = 2,
      .choices = kReflections},
     {.name = "light_set", .label = "light set", .kind = ControlKind::kChoice, .greatest = 10, .choices = kLightSets},
+    {.name = "sky_map", .label = "map", .kind = ControlKind::kChoice, .greatest = 1, .choices = kSkyMaps},
+    {.name = "sky_weights", .label = "weights", .kind = ControlKind::kChoice, .greatest = 1, .choices = kSkyWeights},
+    {.name = "sky_outside",
+     .label = "outside of the circle",
+     .kind = ControlKind::kChoice,
+     .greatest = 2,
+     .choices = kSkyOutsides},
+    {.name = "sky_form", .label = "read from a", .kind = ControlKind::kChoice, .greatest = 2, .choices = kSkyForms},
+    {.name = "sky_ground", .label = "ground", .kind = ControlKind::kChoice, .greatest = 2, .choices = kSkyGrounds},
+    {.name = "sky_grey", .label = "grey ground, of the sky's mean", .greatest = 2, .initial = 0.2, .step = 0.05},
     {.name = "light_count", .label = "lights", .least = 0, .greatest = 3, .initial = 3, .step = 1},
 };
 

@@ -61,7 +61,7 @@ Array camera() {
 }
 
 /// The sums over texels for each pixel: slow on any card.
-bool is_sum(Exact exact) { return exact == Exact::kGlossy || exact == Exact::kPhong; }
+bool is_sum(Exact exact) { return exact == Exact::kGlossy || exact == Exact::kPhong || exact == Exact::kSkyMap; }
 
 /// The uniform marked_lights by the number of lights that people choose.
 Array marks(const Technique& technique) {

@@ -103,6 +103,8 @@ std::string_view exact_stem(Exact exact) {
       return "exact_lamp";
     case Exact::kNine:
       return "exact_nine";
+    case Exact::kSkyMap:
+      return "exact_sky_map";
     case Exact::kPhong:
       break;
   }
@@ -118,6 +120,8 @@ std::string functions_for(std::string_view bodies) {
   if (calls("polynomial_irradiance(")) text += shader_body("polynomial");
   if (calls("lamp_center(")) text += shader_body("lamp");
   if (calls("glossy_sum(")) text += shader_body("glossy_sum");
+  if (calls("phong_sum(")) text += shader_body("phong_sum");
+  if (calls("exponent_level(")) text += shader_body("exponent_level");
   return text;
 }
 

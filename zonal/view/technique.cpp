@@ -139,6 +139,25 @@ const std::vector<Technique>& techniques() {
        .formula = "E(n) = ∫ L_i max(n·l, 0) dω",
        .source = "Miller & Hoffman 1984",
        .exact = Exact::kDiffuse},
+      {.id = "fisheye-maps",
+       .title = "The blog's irradiance maps (Tokoi)",
+       .group = kMatte,
+       .explanation =
+           "The upper half of the light as a fisheye photograph of the sky, the zenith in its middle, and the maps "
+           "that a "
+           "published program makes of it: for each direction the mean under a power of the cosine, over the square "
+           "around the photograph's circle, whose corners have the colour of the ground. Two things differ from the "
+           "integral: a pixel is weighed by the angle between it and the direction where its own zenith angle is "
+           "meant, "
+           "and the corners are a fifth of the lower half only. Outside of the map's circle the ground begins at once, "
+           "unless the map goes on or a second one holds the rest. Corrected, what is left is that all of the ground "
+           "has "
+           "one colour.",
+       .formula = "M(q) = Σ L max(p·q, 0)^s sinc(a) / Σ max(p·q, 0)^s sinc(a),  a = acos(p·q);  "
+                  "corrected (s+1)/2π ∫ L max(p·q, 0)^s dω",
+       .source = "Tokoi 2015, Irradiance mapping (2)",
+       .exact = Exact::kSkyMap,
+       .controls = {"sky_map", "sky_weights", "sky_outside", "sky_form", "shininess", "sky_ground", "sky_grey"}},
       {.id = "vector-irradiance",
        .title = "Vector irradiance",
        .group = kMatte,

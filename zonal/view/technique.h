@@ -14,6 +14,7 @@ enum class Exact {
   kBentMirror,  ///< a mirror bent by a picture of normals
   kLamp,        ///< a lamp nearby, whatever of it is above the horizon, in closed form
   kNine,        ///< nine coefficients as a sum over the basis: light that is known no better
+  kSkyMap,      ///< kDiffuse or kPhong, as the control sky_map says
   kPhong,       ///< a Phong lobe about the mirrored direction: the same sum (slow)
 };
 

@@ -16,6 +16,7 @@
 #include "zonal/view/homework_lights.h"
 #include "zonal/view/own_highlight.h"
 #include "zonal/view/reflection_space.h"
+#include "zonal/view/sky_maps.h"
 #include "zonal/view/view_pictures.h"
 #include "zonal/view/view_uniforms.h"
 
@@ -67,6 +68,24 @@ double homework_scale(RgbD mean) {
 
 constexpr int kReflectionChainPx = 64;  // faces of its first level
 
+/// A chain's, as long as the shaders declare them.
+void add_exponents(ViewData& data, const char* name, std::vector<double> shininess) {
+  shininess.resize(8, 1);
+  add_uniform(data, name, shininess);
+}
+
+/// What a published program makes of the upper half.
+void add_sky_maps(ViewData& data, const Environment& panorama, int size_px, const Run& run) {
+  constexpr int kLevels = 6;  // blended, a lobe between two of them is off by 9 % of its height at most
+  SkyMaps sky = sky_maps(panorama, exponents(kLevels), size_px, run);
+  data.textures.push_back({.name = "sky_maps", .levels = {std::move(sky.maps)}});
+  data.textures.push_back({.name = "sky_shares", .table = true, .levels = {std::move(sky.shares)}});
+  add_exponents(data, "sky_exponents", sky.shininess);
+  add_uniform(data, "sky_levels", std::vector<double>{1.0 * kLevels});
+  add_uniform(data, "sky_mean", std::vector{sky.sky_mean});
+  add_uniform(data, "ground_mean", std::vector{sky.ground_mean});
+}
+
 /// Every map that is a convolution of the panorama, analysed once.
 void add_filtered(ViewData& data, const Environment& panorama, const ViewDataOptions& options, const Run& run) {
   const int levels = levels_from(options.chain_px);
@@ -104,9 +123,7 @@ void add_filtered(ViewData& data, const Environment& panorama, const ViewDataOpt
   for (int i = 0; i < levels; ++i) phong.levels.push_back(level(levels + i, options.chain_px >> i));
   data.textures.push_back(std::move(phong));
   add_uniform(data, "phong_levels", std::vector<double>{1.0 * levels});
-  std::vector<double> padded = shininess;
-  padded.resize(8, 1);
-  add_uniform(data, "phong_exponents", padded);
+  add_exponents(data, "phong_exponents", shininess);
 }
 
 }  // namespace
@@ -139,6 +156,7 @@ ViewData view_data(const Environment& environment, const ViewDataOptions& option
   data.textures.push_back(
       {.name = "bump_map", .repeats_x = true, .repeats_y = true, .table = true, .levels = {bump_picture(kBumpPx)}});
   add_uniform(data, "bump_height", std::vector<double>{kBumpHeight});
+  add_sky_maps(data, panorama, options.sky_px, run);
   const ReflectionSpaceOptions space;
   picture("reflection_space", reflection_space_maps(panorama, space, run));
   data.textures.push_back({.name = "lean_table", .table = true, .levels = {lean_picture()}});

@@ -42,6 +42,7 @@ struct ViewDataOptions {
   int cube_px = 128;        ///< faces of the cube map; the ball and paraboloid maps are twice that
   int chain_px = 128;       ///< faces of the sharpest filtered level
   int irradiance_px = 32;   ///< faces
+  int sky_px = 32;          ///< paraboloid maps of the fisheye program
   int reference_rows = 64;  ///< of the small panorama that the slow exact answers sum over
 };
 

@@ -19,6 +19,8 @@ uniform sampler2D highlight_own;       // and a person's own, 1 being highlight_
 uniform sampler2D reflection_space;    // layers of tiles of eyes, each an octahedral map over the lobe's mean direction
 uniform samplerCube reflection_chain;  // the split sum's map for the roughness of each layer, over the levels
 uniform sampler2D lean_table;          // n.v across, roughness down: from the mirrored direction to that mean, radians
+uniform sampler2D sky_maps;            // of the fisheye program, over black ground (view/sky_maps.h)
+uniform sampler2D sky_shares;          // and the ground's share in them: as published, corrected
 uniform sampler2D homework_table;      // a light set a row, its nine coefficients across
 
 uniform vec3 sh[36];                   // radiance, six bands, l(l+1)+m
@@ -43,6 +45,10 @@ uniform float bump_height;             // of a whole of bump_map's height, in wi
 uniform float reflection_views;        // tiles along a side of reflection_space
 uniform float reflection_roughnesses[4];  // of the layers
 uniform float highlight_unit;          // radiance
+uniform float sky_exponents[8];        // shininess of the sky_maps, sky_levels of them
+uniform float sky_levels;
+uniform vec3 sky_mean;                 // of the upper half
+uniform vec3 ground_mean;              // and of the lower
 uniform float homework_scale;          // f_scale: as bright as the panorama
 uniform float time_s;                  // since the viewer was opened, for what moves by itself
 uniform int marked_lights;             // so many of the extracted lights are marked: rings in the background, arrows
