@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "zonal/base/error.h"
-#include "zonal/io/environment_file.h"
 #include "zonal/io/file.h"
 #include "zonal/io/picture.h"
 #include "zonal/io/png.h"
@@ -117,18 +116,38 @@ void Viewer::open(const std::vector<std::filesystem::path>& paths) {
          "the last of them is " + meshes.back().filename().string(), false});
   }
   if (pictures.empty()) return;
-  open_light(file_names(pictures), [pictures](const Run& run) {
-    return pictures.size() == 1 ? load_environment(pictures[0], {}, run).environment
-                                : load_environment(pictures, {}, run).environment;
-  });
+  open_light(file_names(pictures), [pictures](const Run& run) { return load_light_picture(pictures, run); });
 }
 
 void Viewer::open_light(std::string name, LightLoader loader) {
   light_work_.replace("light: " + name, [this, name, loader = std::move(loader)](const Run& run) {
     run.progress("reading", 0);
-    auto data = std::make_shared<const ViewData>(view_data(loader(run), {}, run));
-    return [this, name, data] { use_light(data, name); };
+    return lit_by(photograph_of(name, loader(run)), run);
   });
+}
+
+std::function<void()> Viewer::lit_by(Photograph photograph, const Run& run) {
+  if (!photograph.tells_light()) {
+    return [this, photograph = std::move(photograph)] {
+      photograph_ = photograph;
+      say({photograph.name + ": neither its shape nor its name says how it shows the sphere",
+           "if it is a fisheye photograph, say so in the panel; else start with zonal view --from", false});
+    };
+  }
+  const ViewDataOptions sizes;
+  auto data = std::make_shared<const ViewData>(view_data(light_of(photograph, sizes.panorama_px, run), sizes, run));
+  photograph.applied = photograph.said;
+  return [this, photograph = std::move(photograph), data] {
+    photograph_ = photograph;
+    use_light(data, photograph.name);
+  };
+}
+
+void Viewer::set_photograph(const PhotographSettings& settings) {
+  if (!photograph_) return;
+  photograph_->said = settings;
+  light_work_.replace("light: " + photograph_->name,
+                      [this, photograph = *photograph_](const Run& run) { return lit_by(photograph, run); });
 }
 
 void Viewer::open_mesh(const std::string& shape_or_file) {
@@ -263,6 +282,7 @@ void Viewer::collect(BackgroundWork& work) {
     guarded(result->deliver);
   } else {
     say({result->title + ": " + (result->cancelled ? "cancelled" : result->message), result->hint, !result->cancelled});
+    if (&work == &light_work_ && photograph_) photograph_->said = photograph_->applied;
   }
 }
 

@@ -11,9 +11,9 @@
 #include "apps/viewer/background_work.h"
 #include "apps/viewer/highlight_painter.h"
 #include "apps/viewer/live_light.h"
+#include "apps/viewer/photograph.h"
 #include "apps/viewer/scene_picture.h"
 #include "zonal/gl/scene.h"
-#include "zonal/light/environment.h"
 #include "zonal/light/orient.h"
 #include "zonal/view/mesh_file.h"
 #include "zonal/view/view_state.h"
@@ -25,9 +25,6 @@ struct ViewerMessage {
   std::string text, hint;
   bool failure = true;
 };
-
-/// Gives the light to look at; runs in the background.
-using LightLoader = std::function<Environment(const Run&)>;
 
 struct ViewerOptions {
   ViewState state;  ///< its mesh may be a file
@@ -57,6 +54,10 @@ class Viewer {
   /// Images and meshes by their names' ends; six images are the faces of a cube. Newer files replace what still loads.
   void open(const std::vector<std::filesystem::path>&);
   void open_light(std::string name, LightLoader);
+  /// The picture that the light is made of, or that was opened last and whose layout nobody can guess.
+  const std::optional<Photograph>& photograph() const { return photograph_; }
+  /// Makes the light of the same picture anew, as these say. Where that fails or is cancelled, the last ones stay.
+  void set_photograph(const PhotographSettings&);
   /// A shape's name or a file.
   void open_mesh(const std::string& shape_or_file);
   void set_mesh_up(MeshUp);
@@ -107,6 +108,8 @@ class Viewer {
   bool guarded(const std::function<void()>&);
   void stale(bool other_cost = false);
   void collect(BackgroundWork&);
+  /// The light of a photograph, computed; what to do with it in the window.
+  std::function<void()> lit_by(Photograph, const Run&);
   void use_light(std::shared_ptr<const ViewData>, std::string name);
   void use_live(std::shared_ptr<const LiveLight>);
   void upload_light();
@@ -122,6 +125,7 @@ class Viewer {
   ViewState state_;
   MeshLoadOptions mesh_options_;
   std::string light_name_, mesh_name_;
+  std::optional<Photograph> photograph_;
   std::shared_ptr<const ViewData> light_;  // null before the first is there
   std::shared_ptr<const LiveLight> live_;  // null unless the light is dragged
   std::optional<LiveTimes> live_times_;

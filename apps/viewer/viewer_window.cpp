@@ -144,6 +144,14 @@ bool ViewerWindow::draw_frame() {
                                       ImGuiWindowFlags_NoFocusOnAppearing;  // the keys are the picture's at first
   ImGui::Begin("panels", nullptr, kFlags);
   constexpr ImGuiTreeNodeFlags kOpen = ImGuiTreeNodeFlags_DefaultOpen;
+  // A fisheye photograph, or what may be one as nobody can tell what else it is, comes first and open.
+  const std::optional<Photograph>& photograph = viewer_.photograph();
+  const bool asks = photograph && (photograph->said.is_fisheye || !photograph->picture->layout_is_known);
+  const auto fisheye = [&] {
+    if (asks && panels_.fisheye.shown != photograph->small) ImGui::SetNextItemOpen(true);
+    if (ImGui::CollapsingHeader("Fisheye photograph")) draw_fisheye_panel(viewer_, panels_.fisheye);
+  };
+  if (asks) fisheye();
   if (ImGui::CollapsingHeader("Technique", kOpen)) draw_technique_panel(viewer_, panels_);
   if (ImGui::CollapsingHeader("Controls", kOpen)) {
     draw_highlight_panel(viewer_, panels_.paint);
@@ -151,6 +159,7 @@ bool ViewerWindow::draw_frame() {
   }
   if (ImGui::CollapsingHeader("Picture", kOpen)) draw_picture_panel(viewer_, panels_);
   if (ImGui::CollapsingHeader("Light and object", kOpen)) draw_light_panel(viewer_, panels_);
+  if (!asks) fisheye();
   ImGui::End();
   constexpr float kMargin = 10;
   const auto whole = static_cast<float>(window_.size().width), high = static_cast<float>(window_.size().height);

@@ -27,6 +27,7 @@ class ViewerWindow {
   Viewer& viewer() { return viewer_; }
   /// Of the last frame.
   const WidgetPlaces& places() const { return panels_.places; }
+  const FisheyePanel& fisheye_panel() const { return panels_.fisheye; }
 
   // What a person does, as the window passes it on. Positions in the window's units.
   void pointer_moved(double x, double y);

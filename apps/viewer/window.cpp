@@ -141,6 +141,12 @@ ImageSize ScreenWindow::size() const {
   return size;
 }
 
+std::array<int, 2> ScreenWindow::position() const {
+  std::array<int, 2> place = {};
+  glfwGetWindowPos(window_, &place[0], &place[1]);
+  return place;
+}
+
 float ScreenWindow::scale() const {
   float x = 1, y = 1;
   glfwGetWindowContentScale(window_, &x, &y);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -38,6 +39,8 @@ class ScreenWindow {
   /// In pixels, which may be smaller than the window's units.
   ImageSize framebuffer_size() const;
   ImageSize size() const;
+  /// Of the left top corner on the screen, in the window's units.
+  std::array<int, 2> position() const;
   /// How many units something is that takes one on a common screen.
   float scale() const;
 

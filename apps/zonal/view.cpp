@@ -32,11 +32,13 @@ struct ViewOptions {
   bool list = false;
 };
 
-/// The panorama to look at; without a file a clear day.
+/// What to look at without a file.
+Environment clear_day(const Run& run) {
+  return daylight_sky({Layout::kEquirect}, image_size(Layout::kEquirect, 256), {}, run);
+}
+
 Environment panorama_of(const ViewOptions& options, Call& call) {
-  if (options.input.paths.empty()) {
-    return daylight_sky({Layout::kEquirect}, image_size(Layout::kEquirect, 256), {}, call.run);
-  }
+  if (options.input.paths.empty()) return clear_day(call.run);
   Input input = read_input(options.input, call);
   return whole_light(input, options.input, call).environment;
 }
@@ -105,11 +107,13 @@ void write_page(const ViewData& data, const ViewState& state, const ViewOptions&
 }
 
 void open_window(const ViewOptions& options, const ViewState& state, Call& call) {
-  const auto light = [&options, quiet = call.console.quiet](const Run& run) {
+  const auto light = [&options, quiet = call.console.quiet](const Run& run) -> ViewLight {
+    if (options.input.paths.empty()) return {clear_day(run), {}};
     Call background;  // notes and warnings go to the terminal as they do elsewhere
     background.console.quiet = quiet;
     background.run = run;
-    return panorama_of(options, background);
+    // The picture as it is: the window lets people say more about a fisheye photograph.
+    return {read_input(options.input, background).loaded.environment, resample_options_of(options.input)};
   };
   open_view_window(state, light_name(options), light, options.mesh_loading, highlight_of(options, call), call);
 }

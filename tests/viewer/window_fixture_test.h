@@ -16,6 +16,7 @@
 #include "apps/viewer/viewer_window.h"
 #include "zonal/base/error.h"
 #include "zonal/io/file.h"
+#include "zonal/io/picture.h"
 #include "zonal/io/png.h"
 #include "zonal/light/synthetic.h"
 

@@ -20,6 +20,7 @@ class GpuTexture {
   }
 
   void bind(int unit) const;
+  std::uint32_t id() const { return id_; }
 
  private:
   std::uint32_t id_ = 0;

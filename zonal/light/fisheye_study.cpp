@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "zonal/image/block_means.h"
 #include "zonal/image/color.h"
 #include "zonal/light/fisheye_means.h"
 #include "zonal/light/fisheye_pixels.h"
@@ -100,25 +101,11 @@ std::vector<FisheyeStudy> fisheye_study(const Environment& photograph, const std
 }
 
 Environment smaller_photograph(const Environment& photograph, int factor) {
-  const Image<Rgb>& picture = photograph.radiance;
-
-  Image<Rgb> copy((picture.width() + factor - 1) / factor, (picture.height() + factor - 1) / factor);
-  for (int y = 0; y < copy.height(); ++y) {
-    for (int x = 0; x < copy.width(); ++x) {
-      RgbD sum;
-      int count = 0;
-      for (int j = factor * y; j < std::min(factor * (y + 1), picture.height()); ++j) {
-        for (int i = factor * x; i < std::min(factor * (x + 1), picture.width()); ++i, ++count)
-          sum += RgbD(picture(i, j));
-      }
-      copy(x, y) = Rgb((1.0 / count) * sum);
-    }
-  }
   const PixelCircle circle = fisheye_circle(photograph);
   Lens lens = photograph.projection.lens;
   lens.center_x_px = circle.center_x / factor, lens.center_y_px = circle.center_y / factor;
   lens.radius_x_px = circle.radius_x / factor, lens.radius_y_px = circle.radius_y / factor;
-  return {std::move(copy), {Layout::kFisheye, lens}};
+  return {block_means(photograph.radiance, factor), {Layout::kFisheye, lens}};
 }
 
 FisheyeError error_of_averaging_codes(const Environment& codes, Rgb ground, double shininess, const Run& run) {
