@@ -1,8 +1,9 @@
 #include "zonal/light/extract_refine.h"
 
-#include <lbfgs.h>
-
 #include <cmath>
+#include <functional>
+
+#include "zonal/light/quasi_newton.h"
 
 namespace zonal {
 namespace {
@@ -68,17 +69,7 @@ LightFit refine_lights(const LightFitter& fitter, std::vector<LightShape> shapes
   LightFit before = fitter.fit(std::move(shapes));
   if (parameters.empty() || before.residual == 0) return before;
 
-  lbfgs_parameter_t settings;
-  lbfgs_parameter_init(&settings);
-  settings.epsilon = 1e-13;  // of the gradient: residuals of 1e-13, where a probe consists of such lights
-  settings.max_iterations = 300;
-  const auto evaluate_at = [](void* instance, const double* x, double* slopes, int count, double) {
-    const auto n = static_cast<std::size_t>(count);
-    return (*static_cast<const ShapeObjective*>(instance))(std::span(x, n), std::span(slopes, n));
-  };
-  // What it returns does not matter: wherever it stopped, the better of the two answers counts.
-  lbfgs(static_cast<int>(parameters.size()), parameters.data(), nullptr, evaluate_at, nullptr,
-        const_cast<ShapeObjective*>(&objective), &settings);
+  minimise(std::cref(objective), parameters);
   LightFit after = fitter.fit(objective.shapes(parameters));
   return after.residual < before.residual ? after : before;
 }
