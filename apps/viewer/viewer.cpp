@@ -11,6 +11,7 @@
 #include "zonal/io/picture.h"
 #include "zonal/io/png.h"
 #include "zonal/view/light_turn.h"
+#include "zonal/view/opening_exposure.h"
 
 namespace zonal {
 namespace {
@@ -176,10 +177,7 @@ void Viewer::use_light(std::shared_ptr<const ViewData> data, std::string name) {
   light_ = std::move(data);
   live_.reset();
   light_name_ = std::move(name);
-  if (!exposure_is_given_) {
-    const Control& exposure = control_named("exposure_ev");
-    state_.set("exposure_ev", std::clamp(std::round(4 * light_->exposure_ev) / 4, exposure.least, exposure.greatest));
-  }
+  if (!exposure_is_given_) state_.set("exposure_ev", opening_exposure_ev(*light_));
   find_used();
   upload_light();
 }

@@ -11,6 +11,7 @@
 #include "zonal/light/orient.h"
 #include "zonal/light/partial.h"
 #include "zonal/light/rearrange.h"
+#include "zonal/light/survey_words.h"
 #include "zonal/report/warnings.h"
 #include "zonal/sphere/mapping.h"
 
@@ -51,12 +52,9 @@ void describe_lens(const InputOptions& options, Projection& projection) {
 }
 
 void check_finite(const Survey& survey, const std::filesystem::path& path) {
-  const std::int64_t bad = survey.nan_texels + survey.inf_texels;
-  if (bad == 0) return;
-  throw Error(ErrorKind::kInput,
-              fmt::format("{}: {} texels are not finite ({} NaN, {} infinite)", path.string(), bad, survey.nan_texels,
-                          survey.inf_texels),
-              "--fix fills them with the mean of their neighbours");
+  const std::string words = non_finite_words(survey);
+  if (words.empty()) return;
+  throw Error(ErrorKind::kInput, path.string() + ": " + words, "--fix fills them with the mean of their neighbours");
 }
 
 }  // namespace
@@ -138,13 +136,6 @@ WholeLight whole_light(Input& input, const InputOptions& options, Call& call) {
       {}};
   whole.survey = survey(whole.environment, call.run);
   return whole;
-}
-
-int panorama_rows(const Projection& projection, ImageSize size) {
-  const int natural = natural_size(projection, size).value_or(size.height);
-  if (is_cube(projection.layout)) return 2 * natural;
-  if (!is_fisheye(projection.layout)) return natural;
-  return std::max(1, static_cast<int>(std::lround(natural * 180 / projection.lens.fov_deg)));
 }
 
 int size_as_fine(Layout to, const Projection& from, ImageSize size) {

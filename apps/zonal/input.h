@@ -10,6 +10,7 @@
 #include "zonal/io/environment_file.h"
 #include "zonal/light/resample.h"
 #include "zonal/light/survey.h"
+#include "zonal/sphere/fineness.h"
 
 namespace zonal {
 
@@ -57,8 +58,6 @@ struct WholeLight {
 /// Turns the light and fills in what the picture does not show. Takes the pixels out of the input.
 WholeLight whole_light(Input&, const InputOptions&, Call&);
 
-/// The number of rows of a panorama that is about as fine as this picture.
-int panorama_rows(const Projection&, ImageSize);
 /// The natural size of a picture of another layout that is about as fine.
 int size_as_fine(Layout to, const Projection& from, ImageSize);
 

@@ -13,6 +13,4 @@ std::string layout_names() {
   return names;
 }
 
-bool is_cube(Layout layout) { return name_of(layout).starts_with("cube"); }
-
 }  // namespace zonal

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "zonal/sphere/projection.h"
+#include "zonal/sphere/fineness.h"
 
 namespace zonal {
 
@@ -12,6 +12,5 @@ namespace zonal {
 std::optional<Layout> layout_or_alias(std::string_view name);
 /// All of them, for messages.
 std::string layout_names();
-bool is_cube(Layout);
 
 }  // namespace zonal

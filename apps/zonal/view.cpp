@@ -15,10 +15,14 @@
 #include "zonal/io/file.h"
 #include "zonal/io/picture.h"
 #include "zonal/light/synthetic.h"
+#include "zonal/view/opening_exposure.h"
 #include "zonal/view/own_highlight.h"
 #include "zonal/view/page.h"
 #include "zonal/view/view_data.h"
 #include "zonal/view/view_state.h"
+#ifdef ZONAL_HAS_WEB
+#include "apps/web/module.h"
+#endif
 
 namespace zonal {
 namespace {
@@ -101,6 +105,9 @@ void write_page(const ViewData& data, const ViewState& state, const ViewOptions&
     page.state.mesh = "file";  // a path may have characters that an address cannot
     page.meshes.emplace_back(page.state.mesh, load_mesh(state.mesh, options.mesh_loading, call.run).mesh);
   }
+#ifdef ZONAL_HAS_WEB
+  page.module = web_module();
+#endif
   const std::string html = view_page_html(data, page);
   write_file(options.html, html);
   call.console.wrote(options.html, html.size(), "a page to look at");
@@ -128,7 +135,7 @@ void run_view(const ViewOptions& options, Call& call) {
   if (highlight) set_own_highlight(data, std::move(*highlight));
   if (page) write_page(data, state, options, call);
   if (!picture) return;
-  if (!state.controls.contains("exposure_ev")) state.set("exposure_ev", std::round(4 * data.exposure_ev) / 4);
+  if (!state.controls.contains("exposure_ev")) state.set("exposure_ev", opening_exposure_ev(data));
   if (!options.screenshot.empty()) {
     write_screenshot(data, state, options.screenshot, options.size, options.mesh_loading, call);
   }
@@ -163,9 +170,10 @@ void add_view(CLI::App& app, Call& call) {
           "--sheet", options->sheet,
           "draws every technique beside its exact answer, with their differences, in one SVG; without a display")
       ->group(kGroup);
-  verb.add_option(
-          "--html", options->html,
-          "writes a page that draws all of it in a browser; a --screenshot is then of the page's own, smaller maps")
+  verb.add_option("--html", options->html,
+                  "writes a page that draws all of it in a browser, and takes other panoramas if this build can; a "
+                  "--screenshot "
+                  "is then of the page's own, smaller maps")
       ->group(kGroup);
   verb.add_option("--size", options->size, "of the picture, in pixels")->capture_default_str()->group(kGroup);
   verb.add_flag("--list", options->list, "the techniques and the settings that there are")->group(kGroup);

@@ -7,7 +7,7 @@ export const newPage = async (browser, viewport, expect, where, colorScheme = 'l
   const complaints = [], outside = [];
   page.on('console', (message) => complaints.push(message.text()));
   page.on('pageerror', (error) => complaints.push(String(error)));
-  page.on('request', (request) => { if (!/^(file|data):/.test(request.url())) outside.push(request.url()); });
+  page.on('request', (request) => { if (!/^(file|data|blob):/.test(request.url())) outside.push(request.url()); });
   // Counts the pictures that were drawn: the background is the last triangle of each.
   await page.addInitScript(() => {
     globalThis.pictures = 0;

@@ -4,9 +4,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <locale>
 #include <optional>
-#include <sstream>
+#include <string_view>
 
 namespace zonal {
 namespace {
@@ -25,14 +24,32 @@ std::string read_line(ByteReader& reader) {
   return line;
 }
 
+bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
 /// `count` numbers from the text after a keyword; nothing when they are not there.
-std::vector<double> numbers_in(const std::string& text, std::size_t count) {
-  std::istringstream in(text);
-  in.imbue(std::locale::classic());
-  std::vector<double> numbers;
-  for (double number; numbers.size() < count && in >> number;) numbers.push_back(number);
-  if (numbers.size() != count) numbers.clear();
+std::vector<double> numbers_in(std::string_view text, std::size_t count) {
+  std::vector<double> numbers(count);
+  const char *next = text.data(), *const end = next + text.size();
+  for (double& number : numbers) {
+    next = std::find_if_not(next, end, is_blank);
+    if (next != end && *next == '+') ++next;  // from_chars() takes no plus
+    const auto [rest, error] = std::from_chars(next, end, number);
+    if (error != std::errc()) return {};
+    next = rest;
+  }
   return numbers;
+}
+
+/// The first words of a line; "" for those that it does not have.
+template <std::size_t N>
+std::array<std::string_view, N> words_of(std::string_view line) {
+  std::array<std::string_view, N> words;
+  for (std::string_view& word : words) {
+    line.remove_prefix(std::find_if_not(line.begin(), line.end(), is_blank) - line.begin());
+    word = line.substr(0, std::find_if(line.begin(), line.end(), is_blank) - line.begin());
+    line.remove_prefix(word.size());
+  }
+  return words;
 }
 
 /// Multiplies a factor of the header into the total. A zero is written by programs that mean "none".
@@ -91,7 +108,7 @@ struct Axis {
   int size = 0;
 };
 
-std::optional<Axis> parse_axis(const std::string& direction, const std::string& digits) {
+std::optional<Axis> parse_axis(std::string_view direction, std::string_view digits) {
   if (direction.size() != 2 || (direction[0] != '+' && direction[0] != '-')) return std::nullopt;
   if (direction[1] != 'X' && direction[1] != 'Y') return std::nullopt;
   Axis axis{direction[0] == '+', direction[1], 0};
@@ -101,9 +118,7 @@ std::optional<Axis> parse_axis(const std::string& direction, const std::string& 
 }
 
 void read_resolution(ByteReader& reader, const std::string& line, HdrHeader& header) {
-  std::istringstream words(line);
-  std::array<std::string, 4> word;
-  for (std::string& w : word) words >> w;
+  const auto word = words_of<4>(line);
   const std::optional<Axis> slow = parse_axis(word[0], word[1]), fast = parse_axis(word[2], word[3]);
   if (!slow || !fast || slow->name == fast->name) {
     reader.fail("broken Radiance HDR: no resolution line such as \"-Y 512 +X 1024\"");

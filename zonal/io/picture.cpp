@@ -11,19 +11,13 @@
 #include "zonal/io/exif.h"
 #include "zonal/io/exr.h"
 #include "zonal/io/hdr.h"
-#include "zonal/io/jpeg.h"
 #include "zonal/io/pfm.h"
+#include "zonal/io/picture_loaders.h"
 #include "zonal/io/picture_writer.h"
 #include "zonal/io/png.h"
-#include "zonal/io/tga.h"
 
 namespace zonal {
 namespace {
-
-using Loader = std::optional<Picture> (*)(ByteReader&, const LoadOptions&, const Run&);
-
-/// Asked in this order. TGA has no magic number, so it comes last.
-constexpr std::array<Loader, 6> kLoaders = {load_exr, load_hdr, load_png, load_jpeg, load_pfm, load_tga};
 
 struct Format {
   std::string_view extension;
@@ -43,7 +37,7 @@ void note_orientation(const ByteReader& file, Picture& picture) {
 
 Picture decode(ByteReader& reader, const LoadOptions& options, const Run& run) {
   if (reader.size() == 0) reader.fail("the file is empty", "copy or download it again");
-  for (const Loader load : kLoaders) {
+  for (const PictureLoader load : picture_loaders()) {
     std::optional<Picture> picture = load(reader, options, run);
     if (!picture) continue;
     const bool is_float = picture->format == "OpenEXR" || picture->format == "Radiance HDR" || picture->format == "PFM";
@@ -54,7 +48,7 @@ Picture decode(ByteReader& reader, const LoadOptions& options, const Run& run) {
     if (picture->alpha) picture->notes.push_back("alpha is left out; colours are not divided by it");
     return std::move(*picture);
   }
-  reader.fail("this is not a picture that can be read", "use OpenEXR, Radiance HDR, PFM, PNG, JPEG or TGA");
+  reader.fail("this is not a picture that can be read", "use " + std::string(picture_format_names()));
 }
 
 }  // namespace

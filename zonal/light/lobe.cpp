@@ -144,7 +144,7 @@ Lobe lobe_for_roughness(LobeKind kind, double roughness) {
 std::string_view name_of(LobeKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
 
 std::optional<LobeKind> lobe_kind_named(std::string_view name) {
-  const auto* found = std::ranges::find(kNames, name);
+  const auto found = std::ranges::find(kNames, name);
   if (found == kNames.end()) return std::nullopt;
   return kKinds[static_cast<std::size_t>(found - kNames.begin())];
 }

@@ -5,17 +5,13 @@
 #include <cmath>
 
 #include "zonal/base/check.h"
+#include "zonal/sphere/fineness.h"
 
 namespace zonal {
 namespace {
 
 /// Texel coordinates that no kernel finds inside a picture: the sample is then looked up one by one.
 constexpr float kNowhere = -8;
-
-bool is_cube(Layout layout) {
-  return layout == Layout::kCubeStack || layout == Layout::kCubeRow || layout == Layout::kCubeCross ||
-         layout == Layout::kCubeCrossVertical || layout == Layout::kCubeCrossVerticalUnrotated;
-}
 
 PanoramaScale panorama_scale(const Mapping& panorama) {
   const PixelPoint center = *panorama.position({1, 0, 0});

@@ -2,7 +2,7 @@
 
 #include "zonal/base/check.h"
 #include "zonal/io/png.h"
-#include "zonal/view/page_bytes.h"
+#include "zonal/view/packed_text.h"
 
 namespace zonal {
 

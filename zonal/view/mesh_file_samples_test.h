@@ -13,7 +13,7 @@
 #include <string>
 
 #include "zonal/math/vec.h"
-#include "zonal/view/page_bytes.h"
+#include "zonal/view/packed_text.h"
 
 namespace zonal {
 

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "zonal/view/light_tables.h"
 #include "zonal/view/mesh.h"
 #include "zonal/view/view_data.h"
 #include "zonal/view/view_state.h"
@@ -16,11 +19,11 @@ struct ViewPageOptions {
   std::string subtitle = {};
   ViewState state = {};  ///< how it opens; the exposure is the light's own where the state says nothing
   std::vector<std::pair<std::string, Mesh>> meshes = {};  ///< by name, beyond the shapes without a file; uv in 0..1
+  /// The library for browsers (apps/web, a WebAssembly module): with it, a page of its own takes any panorama. Alive
+  /// until the page is written.
+  std::span<const std::byte> module = {};
   bool embedded = false;  ///< in a page of others: no title of its own, and nothing is kept in the address
 };
-
-/// The light of a page: less than the window takes, so that the page stays under 3 MB for any panorama.
-ViewDataOptions view_page_data_options();
 
 /// A self-contained page that draws with WebGL2: no network, nothing beside it. All techniques and controls of the
 /// tables; its address keeps the settings by the names of view_state.h. Light above kRgb9e5Max is cut off, and the page

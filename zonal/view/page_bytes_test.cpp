@@ -4,6 +4,9 @@
 #include <zlib.h>
 
 #include <string_view>
+#include <vector>
+
+#include "zonal/view/packed_text.h"
 
 namespace zonal {
 namespace {
@@ -32,7 +35,7 @@ std::string decoded(const std::string& text) {
 }
 
 std::string unpacked(const PageBytes& page) {
-  const std::string packed = decoded(page.text());
+  const std::string packed = decoded(packed_text(std::as_bytes(std::span(page.bytes()))));
   std::string plain(page.size(), '\0');
   uLongf length = static_cast<uLongf>(plain.size());
   EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(plain.data()), &length, reinterpret_cast<const Bytef*>(packed.data()),

@@ -11,4 +11,7 @@ struct PagePart {
 };
 std::span<const PagePart> page_parts();
 
+/// std::logic_error when there is none of this stem.
+std::string_view page_part(std::string_view stem);
+
 }  // namespace zonal

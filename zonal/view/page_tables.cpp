@@ -6,10 +6,11 @@
 #include <cmath>
 
 #include "zonal/base/error.h"
-#include "zonal/io/half.h"
+#include "zonal/view/light_tables.h"
 #include "zonal/view/light_turn.h"
+#include "zonal/view/packed_text.h"
 #include "zonal/view/page_bytes.h"
-#include "zonal/view/rgb9e5.h"
+#include "zonal/view/page_parts.h"
 #include "zonal/view/shader_source.h"
 
 namespace zonal {
@@ -121,50 +122,6 @@ Object shaders() {
           {"alone", std::move(alone)}};
 }
 
-std::size_t add_table(PageBytes& bytes, const Image<Rgb>& image) {
-  std::vector<float> numbers;
-  for (const Rgb& texel : image.values()) numbers.insert(numbers.end(), {texel.r, texel.g, texel.b});
-  std::vector<std::uint16_t> halves(numbers.size());
-  (void)halves_from_floats(numbers, halves);  // tables hold no number near the largest half
-  return bytes.add(halves);
-}
-
-std::size_t add_light(PageBytes& bytes, const Image<Rgb>& image, std::size_t& cut_off) {
-  std::vector<std::uint32_t> packed;
-  for (const Rgb& texel : image.values()) {
-    packed.push_back(rgb9e5(texel));
-    if (max_channel(texel) > kRgb9e5Max) ++cut_off;
-  }
-  return bytes.add(packed);
-}
-
-Array textures(const ViewData& light, PageBytes& bytes, std::size_t& cut_off) {
-  Array list;
-  for (const ViewTexture& texture : light.textures) {
-    Array levels;
-    for (const Image<Rgb>& image : texture.levels) {
-      const std::size_t at = texture.table ? add_table(bytes, image) : add_light(bytes, image, cut_off);
-      levels.push_back(Array{at, image.width(), image.height()});
-    }
-    list.push_back(Object{{"name", texture.name},
-                          {"cube", texture.shape == TextureShape::kCube},
-                          {"repeats_x", texture.repeats_x},
-                          {"repeats_y", texture.repeats_y},
-                          {"table", texture.table},
-                          {"levels", std::move(levels)}});
-  }
-  return list;
-}
-
-Array uniforms(const ViewData& light) {
-  Array list;
-  for (const ViewUniform& uniform : light.uniforms) {
-    Array values(uniform.values.begin(), uniform.values.end());
-    list.push_back(Object{{"name", uniform.name}, {"values", std::move(values)}});
-  }
-  return list;
-}
-
 /// As floats: what a page makes of them are floats.
 Array quarter_turn() {
   Array list;
@@ -219,39 +176,48 @@ Array meshes(const ViewPageOptions& options, PageBytes& bytes) {
   return list;
 }
 
-std::string note(const ViewPageOptions& options, std::size_t cut_off) {
-  std::string words =
-      "This page holds the light of one panorama, as the library computed it. Other panoramas and objects: "
-      "zonal view IMAGE --html PAGE makes a page, zonal view IMAGE --mesh FILE opens a window.";
-  if (options.embedded) words = "Another panorama, other objects: zonal view IMAGE --mesh FILE.";
-  if (cut_off > 0) {
-    words += fmt::format(" {} texels of its maps are brighter than {} and were cut off there.", cut_off, kRgb9e5Max);
+std::string note(const ViewPageOptions& options) {
+  if (options.embedded) return "Another panorama, other objects: zonal view IMAGE --mesh FILE.";
+  if (!options.module.empty()) {
+    return "All data are computed by the library, which is in this page. Other objects: zonal view IMAGE --mesh "
+           "FILE opens a window.";
   }
-  return words;
+  return "This page holds the light of one panorama, as the library computed it. Other panoramas and objects: "
+         "zonal view IMAGE --html PAGE makes a page, zonal view IMAGE --mesh FILE opens a window.";
+}
+
+/// What a page needs to take other panoramas; null for one that does not.
+JsonValue chooser(const ViewPageOptions& options) {
+  if (options.module.empty() || options.embedded) return nullptr;
+  Array layouts;
+  for (const Layout layout : all_layouts()) layouts.push_back(name_of(layout));
+  return Object{{"module", packed_text(options.module)},
+                {"worker", text_of(page_part("worker"))},
+                {"layouts", std::move(layouts)}};
 }
 
 }  // namespace
 
 JsonValue view_page_tables(const ViewData& light, const ViewPageOptions& options) {
   PageBytes bytes;
-  std::size_t cut_off = 0;
-  Array pictures = textures(light, bytes, cut_off), objects = meshes(options, bytes);
+  Object light_fields = light_tables(light, bytes);
+  Array objects = meshes(options, bytes);
   Object arrow = mesh_table("arrow", arrow_mesh(), bytes);
   return Object{{"title", options.title},
                 {"subtitle", options.subtitle},
-                {"note", note(options, cut_off)},
+                {"note", note(options)},
                 {"embedded", options.embedded},
                 {"start", state_text(options.state)},
                 {"controls", controls()},
                 {"camera", camera()},
                 {"techniques", techniques()},
                 {"shaders", shaders()},
-                {"textures", std::move(pictures)},
-                {"uniforms", uniforms(light)},
                 {"quarter_turn_blocks", quarter_turn()},
+                {"light", std::move(light_fields)},
                 {"meshes", std::move(objects)},
                 {"arrow", std::move(arrow)},
-                {"bytes", bytes.text()}};
+                {"chooser", chooser(options)},
+                {"bytes", packed_text(std::as_bytes(std::span(bytes.bytes())))}};
 }
 
 }  // namespace zonal

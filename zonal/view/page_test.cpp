@@ -7,6 +7,7 @@
 
 #include "zonal/base/error.h"
 #include "zonal/io/json_text.h"
+#include "zonal/view/packed_text.h"
 #include "zonal/view/rgb9e5.h"
 
 namespace zonal {
@@ -77,8 +78,8 @@ TEST(SlowViewPage, GivesTheShadersAsTheLibraryWritesThem) {
   EXPECT_TRUE(shared.starts_with("#version 300 es\n"));
   EXPECT_GT(shared.size(), 1000u);
   EXPECT_EQ(tables.at("meshes").size(), mesh_shape_names().size());
-  EXPECT_EQ(tables.at("textures").size(), small_light().textures.size());
-  EXPECT_EQ(tables.at("uniforms").size(), small_light().uniforms.size());
+  EXPECT_EQ(tables.at("light").at("textures").size(), small_light().textures.size());
+  EXPECT_EQ(tables.at("light").at("uniforms").size(), small_light().uniforms.size());
 }
 
 TEST(SlowViewPage, NoWordOfTheOutsideBecomesMarkup) {
@@ -98,6 +99,21 @@ TEST(SlowViewPage, AsksNothingOfTheNetwork) {
   }
 }
 
+TEST(SlowViewPage, CarriesTheLibraryWhenItGetsIt) {
+  const std::string plain = view_page_html(small_light());
+  EXPECT_TRUE(tables_of(plain).at("chooser").is_null());
+  EXPECT_EQ(count(plain, "wasm-unsafe-eval") + count(plain, "blob:"), 0u);
+  const std::vector<std::byte> module(3000, std::byte{7});
+  const std::string html = view_page_html(small_light(), {.module = module});
+  EXPECT_EQ(count(html, "script-src 'unsafe-inline' 'wasm-unsafe-eval'; worker-src blob:\""), 1u);
+  const nlohmann::json chooser = tables_of(html).at("chooser");
+  EXPECT_EQ(chooser.at("module"), packed_text(module));
+  EXPECT_EQ(chooser.at("layouts").size(), all_layouts().size());
+  EXPECT_NE(chooser.at("worker").get<std::string>().find("onmessage"), std::string::npos);
+  EXPECT_TRUE(
+      tables_of(view_section(small_light(), {.module = module, .embedded = true}).html).at("chooser").is_null());
+}
+
 TEST(SlowViewPage, OpensAsItsStateSays) {
   ViewState state = parse_state("technique=phong&mesh=bumpy&yaw=30&shininess=60");
   EXPECT_EQ(tables_of(view_page_html(small_light(), {.state = state})).at("start"),
@@ -112,10 +128,10 @@ TEST(SlowViewPage, OpensAsItsStateSays) {
 
 TEST(SlowViewPage, SaysWhatWasCutOff) {
   ViewData bright = small_light();
-  EXPECT_EQ(tables_of(view_page_html(bright)).at("note").get<std::string>().find("cut off"), std::string::npos);
+  EXPECT_EQ(tables_of(view_page_html(bright)).at("light").at("cut_off"), "");
   bright.textures[0].levels[0](3, 3) = {2 * kRgb9e5Max, 0, 0};
   bright.textures[0].levels[0](4, 3) = {0, 0, 2 * kRgb9e5Max};
-  const std::string note = tables_of(view_page_html(bright)).at("note");
+  const std::string note = tables_of(view_page_html(bright)).at("light").at("cut_off");
   EXPECT_NE(note.find("2 texels of its maps are brighter than 65408"), std::string::npos) << note;
 }
 

@@ -19,6 +19,7 @@ const joinedPlanes = (bytes, at, count, width) => {
 };
 const shorts = (bytes, at, count) => new Uint16Array(joinedPlanes(bytes, at, count, 2));
 const words = (bytes, at, count) => new Uint32Array(joinedPlanes(bytes, at, count, 4));
+const floats = (bytes, at, count) => new Float32Array(joinedPlanes(bytes, at, count, 4));
 
 // Each row of `width` numbers was stored as its difference from the row before.
 const summedRows = (numbers, width) => {

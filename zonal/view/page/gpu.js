@@ -94,6 +94,12 @@ class Textures {
     return texture.table ? shorts(this.bytes, at, 3 * width * height) : words(this.bytes, at, width * height);
   }
 
+  // Gives the card its memory back.
+  forget() {
+    this.made.forEach((id) => this.gl.deleteTexture(id));
+    this.made.clear();
+  }
+
   make(texture, target) {
     const gl = this.gl, id = gl.createTexture(), own = this.own.get(texture.name);
     gl.bindTexture(target, id);

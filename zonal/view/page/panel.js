@@ -1,7 +1,8 @@
 // Everything beside the picture: choices, words, numbers, messages.
 
 class Panel {
-  constructor(root, data, settings, changed, painted) {
+  // painted is called when a person's own highlight is another one; chooser: an element in front of all, or undefined.
+  constructor(root, data, settings, changed, painted, chooser) {
     this.data = data;
     this.settings = settings;
     this.shown = new Map();  // name -> {element, show}
@@ -34,7 +35,9 @@ class Panel {
     const own = others.filter((field) => !field.common).map((field) => control(field));
     this.painter = new HighlightPainter(painted);
     this.notices = made('div', {class: 'zv-notices', role: 'alert'});
-    const panel = made('div', {class: 'zv-panel'},
+    this.note = made('p', {class: 'zv-note'});
+    this.title = made('h1', {});
+    const panel = made('div', {class: 'zv-panel'}, ...(chooser ? [chooser] : []),
         input('technique', selectInput('technique', 'Technique', [...groups], changed)),
         made('div', {class: 'zv-words'}, this.explanation, this.formula, this.source),
         ...own, this.painter.element,
@@ -42,9 +45,17 @@ class Panel {
         ...others.filter((field) => field.common).map((field) => control(field)),
         made('details', {}, made('summary', {}, 'Eye'), ...data.camera.map((field) => control(field))),
         made('p', {}, made('button', {type: 'button', onclick: () => changed()}, 'All as at first')),
-        made('p', {class: 'zv-note'}, data.note));
-    const header = made('header', {}, made('h1', {}, data.title), made('p', {class: 'zv-subtitle'}, data.subtitle));
+        this.note);
+    const header = made('header', {}, this.title, made('p', {class: 'zv-subtitle'}, data.subtitle));
     root.replaceChildren(...(data.embedded ? [] : [header]), this.notices, stage, panel);
+    this.name(data.title, data.light.cut_off);
+  }
+
+  // Whose light this is.
+  name(title, cutOff) {
+    if (!this.data.embedded) document.title = title;
+    this.title.textContent = title;
+    this.note.textContent = `${this.data.note} ${cutOff}`;
   }
 
   // Everything as the settings are.

@@ -1,17 +1,23 @@
 // An object in an environment.
 
 class Scene {
-  constructor(gl, data, bytes) {
+  // bytes: of the meshes; light: {textures, uniforms, bytes}.
+  constructor(gl, data, bytes, light) {
     this.gl = gl;
     this.data = data;
     this.bytes = bytes;
-    this.textures = new Textures(gl, data.textures, bytes);
     this.programs = new Map();
     this.meshes = new Map();
     this.empty = gl.createVertexArray();
-    this.light = Object.fromEntries(data.uniforms.map((uniform) => [uniform.name, Float32Array.from(uniform.values)]));
     gl.enable(gl.DEPTH_TEST);
     gl.depthFunc(gl.LEQUAL);
+    this.show(light);
+  }
+
+  show(light) {
+    this.textures?.forget();
+    this.textures = new Textures(this.gl, light.textures, light.bytes);
+    this.light = Object.fromEntries(light.uniforms.map((uniform) => [uniform.name, floats(light.bytes, ...uniform.floats)]));
   }
 
   program(key, vertex, fragment, what) {

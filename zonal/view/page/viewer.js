@@ -19,11 +19,17 @@ const view = async (root, data) => {
     update();
   };
   const ownHighlight = 'highlight_own';
+  let hasPainted = false;
   const painted = () => {
+    hasPainted = true;
     scene.textures.replace(ownHighlight, panel.painter.picture);
     update();
   };
-  const panel = new Panel(root, data, settings, changed, painted), canvas = panel.canvas;
+  const chooser = data.chooser && new LightChooser(data.chooser, root, {
+    show: (light) => showLight(light),
+    notice: (kind, words) => panel.notice(kind, words),
+  });
+  const panel = new Panel(root, data, settings, changed, painted, chooser?.element), canvas = panel.canvas;
 
   const readAddress = () => {
     if (data.embedded) return;
@@ -89,13 +95,28 @@ const view = async (root, data) => {
       later(measureNow);
     }
   };
-  const begin = () => {
-    scene = new Scene(gl, data, bytes);
-    const own = panel.painter.picture;
-    if (own) scene.textures.replace(ownHighlight, own);  // what was painted outlives a lost context
+  let light;  // {name, textures, uniforms, exposure_ev, cut_off, bytes}
+  // What was painted outlives a lost context and another light.
+  const placeHighlight = () => {
+    if (hasPainted) scene.textures.replace(ownHighlight, panel.painter.picture);
     else panel.painter.show(floatsOfShared(scene.textures.texels(ownHighlight, 0)));
+  };
+  const begin = () => {
+    scene = new Scene(gl, data, bytes, light);
+    placeHighlight();
     measure = new Measure(gl);
     request();
+  };
+  const showLight = (other) => {
+    light = other;
+    settings.start.exposure_ev = settings.values.exposure_ev = floats(light.bytes, ...light.exposure_ev)[0];
+    panel.name(light.name, light.cut_off);
+    measure?.forget();
+    if (scene && !gl.isContextLost()) {
+      scene.show(light);
+      placeHighlight();
+    }
+    update();
   };
 
   readAddress();
@@ -106,6 +127,7 @@ const view = async (root, data) => {
     return;
   }
   const bytes = await unpacked(data.bytes);
+  light ??= {...data.light, bytes};
   canvas.addEventListener('webglcontextlost', (event) => {
     event.preventDefault();
     measure.forget();
@@ -127,7 +149,6 @@ const tell = (error) => {
 };
 try {
   const data = JSON.parse(document.getElementById('zonal-view-data').textContent);
-  if (!data.embedded) document.title = data.title;
   view(root, data).catch(tell);
 } catch (error) {
   tell(error);
