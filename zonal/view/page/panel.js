@@ -1,5 +1,9 @@
 // Everything beside the picture: choices, words, numbers, messages.
 
+// "L_lm", "4^k": what follows the sign, up to the end of the word, is set lower or higher.
+const setFormula = (text) => text.split(/([_^][\p{L}\d]+)/u).map((part) =>
+    part[0] === '_' ? made('sub', {}, part.slice(1)) : part[0] === '^' ? made('sup', {}, part.slice(1)) : part);
+
 class Panel {
   // painted is called when a person's own highlight is another one; chooser: an element in front of all, or undefined.
   constructor(root, data, settings, changed, painted, chooser) {
@@ -71,7 +75,7 @@ class Panel {
     this.gain.hidden = values.compare !== 2;
     this.sides.hidden = values.compare !== 3;
     this.explanation.textContent = technique.explanation;
-    this.formula.textContent = technique.formula;
+    this.formula.replaceChildren(...setFormula(technique.formula));
     this.source.textContent = technique.source;
     this.technique = technique;
     this.number.classList.add('zv-stale');
