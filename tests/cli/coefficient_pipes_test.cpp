@@ -154,7 +154,7 @@ TEST_F(CliPipes, AnAmbientCubeThereAndBack) {
   }
   bad(2, {"ambient-cube"}, "needs an input");
   bad(2, {"ambient-cube", "d.json", "--from-cube", "cube.json"}, "takes no other input");
-  bad(3, {"ambient-cube", "--from-cube", "d.json"}, "\"format\" must be \"zonal-ambient-cube\"");
+  bad(3, {"ambient-cube", "--from-cube", "d.json"}, "\"format\" is \"zonal-sh\", must be \"zonal-ambient-cube\"");
   bad(3, {"ambient-cube", "cube.json"}, "\"format\" is \"zonal-ambient-cube\"");
 }
 

@@ -76,7 +76,7 @@ export const checkControls = async (browser, address, expect) => {
   const open = async (where) => {
     await page.goto(where);
     await view.drawn();
-    await page.locator('summary').click();
+    await page.locator('summary', {hasText: 'Eye'}).click();
     await view.setSize(320, 240);
   };
   await open(address);

@@ -160,6 +160,7 @@ const std::map<std::string_view, const char*> kSeenIn = {
     {"lamp_radius", "technique=near-lamp&compare=2&difference_gain=32"},
     {"window_kind", "technique=sh-bands&window_strength=1&bands=6"},
     {"window_strength", "technique=sh-bands&window_kind=1&bands=6"},
+    {"sky_grey", "technique=fisheye-maps&sky_ground=2"},
     {"turn_by", "technique=sh-bands&light_yaw_deg=50&light_pitch_deg=30"},
 };
 /// Two ways to one picture; a colour for light below zero, of which this sky has none.
