@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "tests/readme_program.h"
+#include "zonal/view/technique.h"
 
 namespace {
 
@@ -53,6 +54,17 @@ TEST(Readme, TheProgramRuns) {
   fs::current_path(before);
   EXPECT_GT(fs::file_size(folder / "gloss.hdr"), 10000U);
   fs::remove_all(folder);
+}
+
+TEST(Docs, TheViewersPageNamesEveryTechnique) {
+  const std::string page = text_of(fs::path(ZONAL_SOURCE_DIR) / "docs/viewer.md");
+  std::size_t named = 0;
+  for (const zonal::Technique& technique : zonal::all_techniques()) {
+    const std::string row = std::string(technique.title) + " (`" + std::string(technique.id) + "`)";
+    EXPECT_NE(page.find(row), std::string::npos) << row;
+    ++named;
+  }
+  EXPECT_GT(named, 20u);
 }
 
 }  // namespace

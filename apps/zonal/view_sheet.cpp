@@ -15,7 +15,7 @@ namespace {
 constexpr int kCellPx = 200;                // on paper a cell is 151 wide: sharp on fine screens
 constexpr ImageSize kMeasured = {160, 90};  // some exact answers are long sums for every pixel
 constexpr std::size_t kColumns = 4;         // of picture_sheet()'s largest cells
-constexpr std::size_t kLetters = 26;        // that fit under one
+constexpr std::size_t kLetters = 24;        // that fit under one
 constexpr double kLeftAndRight = 3;         // of the control `compare`
 
 /// Lines of at most so many letters, broken between words.

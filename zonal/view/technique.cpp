@@ -77,17 +77,6 @@ const std::vector<Technique>& techniques() {
        .source = "Blinn 1978",
        .exact = Exact::kBentMirror,
        .controls = {"bump_source", "bump_lookup", "bump_depth"}},
-      {.id = "highlight-map",
-       .title = "Highlight map",
-       .group = kMatte,
-       .explanation =
-           "A highlight of any shape, computed, drawn or your own, as a sphere map in the eye's frame, added to "
-           "the matte light. It costs one lookup and can be anything, which is its charm and its flaw: paint "
-           "one, and the object wears it wherever it turns.",
-       .formula = "L = albedo/π E(n) + H(½ + ½ n_x, ½ + ½ n_y)",
-       .source = "lecture, highlight mapping",
-       .exact = Exact::kDiffuse,
-       .controls = {"highlight_source", "highlight_strength"}},
       {.id = "uniform-blur",
        .title = "Panorama blurred evenly",
        .group = kFiltered,
@@ -140,7 +129,7 @@ const std::vector<Technique>& techniques() {
        .source = "Miller & Hoffman 1984",
        .exact = Exact::kDiffuse},
       {.id = "fisheye-maps",
-       .title = "The blog's irradiance maps (Tokoi)",
+       .title = "Irradiance maps of a fisheye photograph",
        .group = kMatte,
        .explanation =
            "The upper half of the light as a fisheye photograph of the sky, the zenith in its middle, and the maps "
@@ -182,6 +171,17 @@ const std::vector<Technique>& techniques() {
        .source = "Lambert 1760; Snyder 1996",
        .exact = Exact::kLamp,
        .controls = {"lamp_shape", "lamp_distance", "lamp_radius"}},
+      {.id = "highlight-map",
+       .title = "Highlight map",
+       .group = kMatte,
+       .explanation =
+           "A highlight of any shape, computed, drawn or your own, as a sphere map in the eye's frame, added to "
+           "the matte light. It costs one lookup and can be anything, which is its charm and its flaw: paint "
+           "one, and the object wears it wherever it turns.",
+       .formula = "L = albedo/π E(n) + H(½ + ½ n_x, ½ + ½ n_y)",
+       .source = "lecture, highlight mapping",
+       .exact = Exact::kDiffuse,
+       .controls = {"highlight_source", "highlight_strength"}},
       {.id = "sh-bands",
        .title = "Spherical harmonics, 1 to 6 bands",
        .group = kHarmonics,
