@@ -31,10 +31,10 @@ const view = async (root, data) => {
   });
   const panel = new Panel(root, data, settings, changed, painted, chooser?.element), canvas = panel.canvas;
 
-  const readAddress = () => {
+  const readAddress = (hash) => {
     if (data.embedded) return;
     settings.reset();
-    const problems = settings.read(location.hash.slice(1));
+    const problems = settings.read(hash.slice(1));
     panel.notice('address', problems.length === 0 ? '' : 'In the address of this page:\n' + problems.join('\n'));
   };
   const writeAddress = () => {
@@ -119,9 +119,10 @@ const view = async (root, data) => {
     update();
   };
 
-  readAddress();
+  readAddress(location.hash);
   panel.show();
-  addEventListener('hashchange', () => { readAddress(); update(); });
+  // What was asked for: the address itself may have been written anew since.
+  addEventListener('hashchange', (event) => { readAddress(new URL(event.newURL).hash); update(); });
   if (!gl) {
     panel.notice('picture', 'This browser gives no WebGL 2: there is no picture. The words and formulas are all here.');
     return;
