@@ -4,8 +4,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <map>
-#include <regex>
 #include <set>
 
 #include "zonal/base/check.h"
@@ -13,6 +11,7 @@
 #include "zonal/light/project.h"
 #include "zonal/light/resample.h"
 #include "zonal/view/light_turn.h"
+#include "zonal/view/shader_names.h"
 #include "zonal/view/shader_source.h"
 #include "zonal/view/view_pictures.h"
 #include "zonal/view/view_uniforms.h"
@@ -54,51 +53,6 @@ void add_texture(LiveLight& live, const ViewData& whole, std::string_view name, 
   texture.repeats_x = old.repeats_x, texture.repeats_y = old.repeats_y;
   texture.levels = std::move(levels);
   live.data.textures.push_back(std::move(texture));
-}
-
-/// Names in a piece of shader text.
-std::set<std::string> names_in(const std::string& text) {
-  static const std::regex kName("[A-Za-z_][A-Za-z_0-9]*");
-  std::set<std::string> names;
-  for (auto it = std::sregex_iterator(text.begin(), text.end(), kName); it != std::sregex_iterator(); ++it) {
-    names.insert(it->str());
-  }
-  return names;
-}
-
-/// The functions of a shader by their names, with their text.
-std::map<std::string, std::string> functions_of(const std::string& shader) {
-  static const std::regex kComment("//[^\n]*"), kHead("([A-Za-z_][A-Za-z_0-9]*)\\s*\\([^()]*\\)\\s*$");
-  const std::string code = std::regex_replace(shader, kComment, "");
-  std::map<std::string, std::string> functions;
-  std::size_t start = 0;  // of what stands outside of all braces
-  for (std::size_t open; (open = code.find('{', start)) != std::string::npos;) {
-    std::size_t end = open + 1;
-    for (int depth = 1; depth > 0 && end < code.size(); ++end)
-      depth += code[end] == '{' ? 1 : code[end] == '}' ? -1 : 0;
-    const std::size_t head = std::min(open, code.find_last_of(";}", open) + 1);
-    const std::string before = code.substr(std::max(start, head), open - std::max(start, head));
-    std::smatch found;
-    if (std::regex_search(before, found, kHead)) functions[found[1]] += code.substr(open, end - open);
-    start = end;
-  }
-  return functions;
-}
-
-/// Adds all names in what main() calls, directly or not: helpers that are there for other techniques do not count.
-void add_reached(const std::string& shader, std::set<std::string>& reached) {
-  const std::map<std::string, std::string> functions = functions_of(shader);
-  std::set<std::string> called;
-  std::vector<std::string> waiting = {"main"};
-  while (!waiting.empty()) {
-    const auto function = functions.find(waiting.back());
-    waiting.pop_back();
-    if (function == functions.end()) continue;
-    for (const std::string& name : names_in(function->second)) {
-      if (called.insert(name).second) waiting.push_back(name);
-    }
-  }
-  reached.merge(called);
 }
 
 /// What turns with the light and the shader of this technique looks up.
@@ -149,9 +103,9 @@ void add_filtered(LiveLight& live, const ViewData& whole, const std::vector<std:
 }  // namespace
 
 std::vector<std::string> names_used(const Technique& technique, const ViewData& data) {
-  std::set<std::string> reached;
-  add_reached(technique_fragment_shader(ShaderHome::kDesktop, technique), reached);
-  add_reached(background_fragment_shader(ShaderHome::kDesktop), reached);
+  std::set<std::string> reached =
+      names_reached(shader_text(technique_fragment_shader(ShaderHome::kDesktop, technique)));
+  reached.merge(names_reached(shader_text(background_fragment_shader(ShaderHome::kDesktop))));
   if (reached.contains("sh_turned")) reached.insert("sh");  // of which it is made
   std::vector<std::string> used;
   for (const ViewTexture& texture : data.textures) {

@@ -1,6 +1,6 @@
 // check.mjs CHROMIUM PAGE DESKTOP: the viewer's page as a person uses it, from the file system.
 import {chromium} from 'playwright-core';
-import {existsSync, readFileSync} from 'node:fs';
+import {existsSync, readFileSync, writeFileSync} from 'node:fs';
 import {pathToFileURL} from 'node:url';
 import {checkAddress} from './address.mjs';
 import {checkControls} from './controls.mjs';
@@ -56,6 +56,20 @@ const expect = (ok, what) => { ++checks; if (!ok) failures.push(what); };
   console.log(`${compared} of ${states.length} techniques compared with the desktop, worst mean difference ${worst.toFixed(3)} of 255`);
   expect(compared === states.length || compared === 0, 'some pictures of the desktop are missing');
   if (compared === 0) console.log('no OpenGL for the desktop path: nothing to compare with');
+  await view.close();
+}
+
+// What comes first in the file is all that the first picture needs; a page that is cut off says so.
+{
+  const html = readFileSync(path, 'utf8');
+  writeFileSync('cut.html', html.slice(0, html.indexOf('id="zonal-view-rest"')));
+  const view = await newPage(browser, {width: 900, height: 700}, expect, 'cut off');
+  await view.page.goto(new URL('cut.html', address).href);
+  await view.page.waitForFunction(() => globalThis.pictures > 0);
+  await view.page.waitForSelector('.zv-message');
+  const message = await view.page.textContent('.zv-message');
+  expect(message.includes('ends too early'), `cut off: the message is “${message}”`);
+  expect((await pixels(view, false)).colors > 20, 'cut off: there is no first picture');
   await view.close();
 }
 

@@ -49,7 +49,8 @@ export const checkHighlight = async (browser, address, own, expect) => {
   await page.locator('.zv-paint input[type=color]').fill('#ff0000');
   expect((await compare(page, before, await stroke([0.5, 0.5]))).mean > 0.5, 'a red dab is not seen');
   await page.locator('.zv-paint').getByText('Clear').click();
-  expect((await compare(page, before, await shown())).mean === 0, 'cleared, it is not as before');
+  const {mean: left_over} = await compare(page, before, await shown());
+  expect(left_over === 0, `cleared, it is ${left_over} of 255 from what it was before`);
 
   await page.setInputFiles('.zv-file input', 'text.png');
   await page.waitForFunction(() => document.querySelector('.zv-paint [role=status]').textContent.includes('no picture'));

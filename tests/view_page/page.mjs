@@ -14,16 +14,13 @@ export const newPage = async (browser, viewport, expect, where, colorScheme = 'l
     const original = WebGL2RenderingContext.prototype.drawArrays;
     WebGL2RenderingContext.prototype.drawArrays = function(...how) { original.apply(this, how); ++globalThis.pictures; };
   });
+  // A picture at rest: with smooth edges, and measured.
   const settled = () => page.evaluate(async () => {
-    const frame = () => new Promise(requestAnimationFrame);
-    while (globalThis.pictures === 0) await frame();
-    for (let last = -1; last !== globalThis.pictures;) {
-      last = globalThis.pictures;
-      await frame();
-      await frame();
-      await frame();
-    }
-    document.querySelector('canvas').getContext('webgl2').finish();
+    const atRest = () => globalThis.pictures > 0 && document.querySelector('.zv-picture canvas')?.ariaBusy === 'false';
+    const begin = performance.now();
+    do {
+      for (let i = 0; i < 3; ++i) await new Promise(requestAnimationFrame);  // what was asked for just now has begun
+    } while (!atRest() && performance.now() < begin + 60000);
   });
   return {
     page,
@@ -60,8 +57,9 @@ export const newPage = async (browser, viewport, expect, where, colorScheme = 'l
   };
 };
 
-// What the canvas shows: {url, colors}.
-export const pixels = async ({page}) => {
+// What the canvas shows, at rest unless told otherwise: {url, colors}.
+export const pixels = async ({page, drawn}, atRest = true) => {
+  if (atRest) await drawn();
   const png = await page.locator('.zv-picture canvas').screenshot();
   const url = 'data:image/png;base64,' + png.toString('base64');
   return {url, colors: await page.evaluate(countColors, url)};

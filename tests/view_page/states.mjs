@@ -4,7 +4,7 @@ import {readFileSync} from 'node:fs';
 import {pathToFileURL} from 'node:url';
 
 const html = readFileSync('page.html', 'utf8');
-const open = '<script type="application/json" id="zonal-view-data">', begin = html.indexOf(open) + open.length;
+const open = '<script type="application/json" id="zonal-view-tables">', begin = html.indexOf(open) + open.length;
 export const tables = JSON.parse(html.slice(begin, html.indexOf('</script>', begin)));
 export const size = [320, 240];
 // Where a technique can turn the coefficients themselves, each home does so in its own way.

@@ -5,20 +5,24 @@ import {inflateSync} from 'node:zlib';
 
 const unpacked = (text) => new Uint8Array(inflateSync(Buffer.from(text, 'base64')));
 
-// What the script of the page reads.
+// What the script of the page reads: its tables, with `bytes` and `module`.
 export const tablesOf = (path) => {
-  const html = readFileSync(path, 'utf8'), open = '<script type="application/json" id="zonal-view-data">';
-  const begin = html.indexOf(open) + open.length, data = JSON.parse(html.slice(begin, html.indexOf('</script>', begin)));
-  return {...data, bytes: unpacked(data.bytes), size: html.length};
+  const html = readFileSync(path, 'utf8');
+  const part = (name) => {
+    const open = `id="zonal-view-${name}">`, begin = html.indexOf(open) + open.length;
+    return html.slice(begin, html.indexOf('</script>', begin));
+  };
+  const bytes = Buffer.concat(['opening', 'rest'].map((name) => unpacked(part(name))));
+  return {...JSON.parse(part('tables')), bytes, module: part('module'), size: html.length};
 };
 
 // What the worker says at the end: {light} or {refused, hint}; `stages` is what it said before.
-export const answer = ({chooser}, name, file, {from = '', fix = false} = {}) => new Promise((done) => {
+export const answer = ({chooser, module}, name, file, {from = '', fix = false} = {}) => new Promise((done) => {
   const stages = [];
   const scope = {WebAssembly, TextDecoder, TextEncoder, performance, Blob, postMessage: (message) => {
     if (message.stage === undefined) done({...message, stages});
     else stages.push(message);
   }};
   vm.runInNewContext(chooser.worker, scope);
-  scope.onmessage({data: {module: unpacked(chooser.module), file: Uint8Array.from(file).buffer, name, from, fix}});
+  scope.onmessage({data: {module: unpacked(module), file: Uint8Array.from(file).buffer, name, from, fix}});
 });

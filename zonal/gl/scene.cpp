@@ -20,9 +20,10 @@ constexpr int kColors = 0, kSquares = 1;
 Scene::Scene() {
   glGenVertexArrays(1, &empty_array_);
   glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-  background_.emplace(background_vertex_shader(ShaderHome::kDesktop), background_fragment_shader(ShaderHome::kDesktop),
-                      "the background");
-  arrows_.emplace(arrow_vertex_shader(ShaderHome::kDesktop), arrow_fragment_shader(ShaderHome::kDesktop), "the arrows");
+  background_.emplace(shader_text(background_vertex_shader(ShaderHome::kDesktop)),
+                      shader_text(background_fragment_shader(ShaderHome::kDesktop)), "the background");
+  arrows_.emplace(shader_text(arrow_vertex_shader(ShaderHome::kDesktop)),
+                  shader_text(arrow_fragment_shader(ShaderHome::kDesktop)), "the arrows");
   arrow_.emplace(arrow_mesh());
 }
 
@@ -42,9 +43,9 @@ const GpuProgram& Scene::program_of(const Technique& technique, bool alone) {
   const auto key = std::pair(technique.id, alone);
   auto found = programs_.find(key);
   if (found == programs_.end()) {
-    GpuProgram program(mesh_vertex_shader(ShaderHome::kDesktop),
-                       alone ? lone_technique_fragment_shader(ShaderHome::kDesktop, technique)
-                             : technique_fragment_shader(ShaderHome::kDesktop, technique),
+    GpuProgram program(shader_text(mesh_vertex_shader(ShaderHome::kDesktop)),
+                       shader_text(alone ? lone_technique_fragment_shader(ShaderHome::kDesktop, technique)
+                                         : technique_fragment_shader(ShaderHome::kDesktop, technique)),
                        technique.title);
     found = programs_.emplace(key, std::move(program)).first;
   }
@@ -89,8 +90,7 @@ void Scene::set_shared(const GpuProgram& program, const ViewState& state, int wi
 }
 
 void Scene::draw_mesh(const ViewState& state, int width, int height, int measure) {
-  const bool alone =
-      measure == kColors ? state.value("compare") == 0 : measure == static_cast<int>(Measured::kTechnique);
+  const bool alone = measure == kColors && state.value("compare") == 0;
   set_shared(program_of(*state.technique, alone), state, width, height, measure);
   if (mesh_) mesh_->draw();
 }

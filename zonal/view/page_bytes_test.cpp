@@ -1,12 +1,12 @@
 #include "zonal/view/page_bytes.h"
 
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include <string_view>
 #include <vector>
 
 #include "zonal/view/packed_text.h"
+#include "zonal/view/packed_text_test.h"
 
 namespace zonal {
 namespace {
@@ -16,34 +16,7 @@ std::vector<std::byte> bytes_of(std::string_view text) {
   return {bytes.begin(), bytes.end()};
 }
 
-/// The inverse of base64_text(), written another way: digit by digit into a register.
-std::string decoded(const std::string& text) {
-  std::string bytes;
-  unsigned bits = 0, held = 0;
-  for (const char c : text) {
-    if (c == '=') break;
-    const unsigned digit = c >= 'A' && c <= 'Z'   ? c - 'A'
-                           : c >= 'a' && c <= 'z' ? c - 'a' + 26
-                           : c >= '0' && c <= '9' ? c - '0' + 52
-                           : c == '+'             ? 62
-                                                  : 63;
-    bits = bits << 6 | digit;
-    held += 6;
-    if (held >= 8) bytes += static_cast<char>(bits >> (held -= 8) & 255);
-  }
-  return bytes;
-}
-
-std::string unpacked(const PageBytes& page) {
-  const std::string packed = decoded(packed_text(std::as_bytes(std::span(page.bytes()))));
-  std::string plain(page.size(), '\0');
-  uLongf length = static_cast<uLongf>(plain.size());
-  EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(plain.data()), &length, reinterpret_cast<const Bytef*>(packed.data()),
-                       static_cast<uLong>(packed.size())),
-            Z_OK);
-  EXPECT_EQ(length, plain.size());
-  return plain;
-}
+std::string numbers_of(const PageBytes& page) { return unpacked(packed_text(std::as_bytes(std::span(page.bytes())))); }
 
 TEST(PageBytes, Base64AsInTheStandard) {
   // RFC 4648, section 10.
@@ -63,7 +36,7 @@ TEST(PageBytes, PutsNumbersDownPlaneByPlane) {
   PageBytes page;
   EXPECT_EQ(page.add(std::vector<std::uint16_t>{0x0102, 0x0304, 0x0506}), 0u);
   EXPECT_EQ(page.add(std::vector<std::uint32_t>{0x0a0b0c0d, 0x1a1b1c1d}), 6u);
-  EXPECT_EQ(unpacked(page), std::string("\x02\x04\x06\x01\x03\x05\x0d\x1d\x0c\x1c\x0b\x1b\x0a\x1a", 14));
+  EXPECT_EQ(numbers_of(page), std::string("\x02\x04\x06\x01\x03\x05\x0d\x1d\x0c\x1c\x0b\x1b\x0a\x1a", 14));
 }
 
 TEST(PageBytes, HoldsTheSameArrayOnce) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "zonal/base/error.h"
 #include "zonal/view/light_tables.h"
@@ -11,6 +13,7 @@
 #include "zonal/view/packed_text.h"
 #include "zonal/view/page_bytes.h"
 #include "zonal/view/page_parts.h"
+#include "zonal/view/shader_names.h"
 #include "zonal/view/shader_source.h"
 
 namespace zonal {
@@ -94,32 +97,44 @@ Array techniques() {
   return list;
 }
 
-/// Fragment shaders all begin alike: their beginning is written once.
-Object shaders() {
-  const std::string background = background_fragment_shader(ShaderHome::kWeb);
-  std::size_t shared = background.size();
-  const auto shorten = [&](const std::string& text) {
-    const auto differ = std::mismatch(text.begin(), text.end(), background.begin(), background.end());
-    shared = std::min(shared, static_cast<std::size_t>(differ.first - text.begin()));
-  };
-  shorten(arrow_fragment_shader(ShaderHome::kWeb));
-  for (const Technique& technique : all_techniques()) {
-    shorten(technique_fragment_shader(ShaderHome::kWeb, technique));
-    shorten(lone_technique_fragment_shader(ShaderHome::kWeb, technique));
+/// Texts that several shaders are made of, each once.
+class ShaderTexts {
+ public:
+  /// The places of its pieces.
+  Array add(const ShaderPieces& shader) {
+    Array places;
+    for (const std::string& piece : shader) {
+      const auto [found, is_new] = places_.try_emplace(piece, texts_.size());
+      if (is_new) texts_.emplace_back(piece);
+      places.push_back(found->second);
+    }
+    return places;
   }
+  Array texts() && { return std::move(texts_); }
+
+ private:
+  std::map<std::string, std::size_t> places_;
+  Array texts_;
+};
+
+/// Each as the places of its pieces in "texts".
+Object shaders() {
+  constexpr ShaderHome kHome = ShaderHome::kWeb;
+  ShaderTexts texts;
   Object compared, alone;
   for (const Technique& technique : all_techniques()) {
-    compared.emplace_back(technique.id, technique_fragment_shader(ShaderHome::kWeb, technique).substr(shared));
-    alone.emplace_back(technique.id, lone_technique_fragment_shader(ShaderHome::kWeb, technique).substr(shared));
+    compared.emplace_back(technique.id, texts.add(technique_fragment_shader(kHome, technique)));
+    alone.emplace_back(technique.id, texts.add(lone_technique_fragment_shader(kHome, technique)));
   }
-  return {{"shared", background.substr(0, shared)},
-          {"mesh_vertex", mesh_vertex_shader(ShaderHome::kWeb)},
-          {"background_vertex", background_vertex_shader(ShaderHome::kWeb)},
-          {"background", background.substr(shared)},
-          {"arrow_vertex", arrow_vertex_shader(ShaderHome::kWeb)},
-          {"arrow", arrow_fragment_shader(ShaderHome::kWeb).substr(shared)},
-          {"compared", std::move(compared)},
-          {"alone", std::move(alone)}};
+  Object list = {{"mesh_vertex", texts.add(mesh_vertex_shader(kHome))},
+                 {"background_vertex", texts.add(background_vertex_shader(kHome))},
+                 {"background", texts.add(background_fragment_shader(kHome))},
+                 {"arrow_vertex", texts.add(arrow_vertex_shader(kHome))},
+                 {"arrow", texts.add(arrow_fragment_shader(kHome))},
+                 {"compared", std::move(compared)},
+                 {"alone", std::move(alone)}};
+  list.emplace_back("texts", std::move(texts).texts());
+  return list;
 }
 
 /// As floats: what a page makes of them are floats.
@@ -158,22 +173,34 @@ Object mesh_table(const std::string& name, const Mesh& mesh, PageBytes& bytes) {
           {"index_count", mesh.indices.size()}};
 }
 
-Array meshes(const ViewPageOptions& options, PageBytes& bytes) {
-  Array list;
-  bool found = false;
-  for (const std::string_view name : mesh_shape_names()) {
-    list.push_back(mesh_table(text_of(name), mesh_shape(name), bytes));
-    found = found || name == options.state.mesh;
-  }
-  for (const auto& [name, mesh] : options.meshes) {
-    list.push_back(mesh_table(name, mesh, bytes));
-    found = found || name == options.state.mesh;
-  }
-  if (!found) {
-    throw Error(ErrorKind::kUsage, fmt::format("the page has no object '{}'", options.state.mesh),
+/// All objects of the page by name.
+std::vector<std::pair<std::string, Mesh>> page_meshes(const ViewPageOptions& options) {
+  std::vector<std::pair<std::string, Mesh>> list;
+  for (const std::string_view name : mesh_shape_names()) list.emplace_back(name, mesh_shape(name));
+  list.insert(list.end(), options.meshes.begin(), options.meshes.end());
+  return list;
+}
+
+const std::pair<std::string, Mesh>& opening_mesh(const std::vector<std::pair<std::string, Mesh>>& meshes,
+                                                 const ViewState& state) {
+  const auto found = std::ranges::find(meshes, state.mesh, [](const auto& each) { return each.first; });
+  if (found == meshes.end()) {
+    throw Error(ErrorKind::kUsage, fmt::format("the page has no object '{}'", state.mesh),
                 "sphere, torus-knot and bumpy are in every page");
   }
-  return list;
+  return *found;
+}
+
+/// The textures that the first picture reads.
+ViewData opening_light(const ViewData& light, const ViewState& state) {
+  const bool alone = state.value("compare") == 0;
+  std::set<std::string> names =
+      names_reached(shader_text(alone ? lone_technique_fragment_shader(ShaderHome::kWeb, *state.technique)
+                                      : technique_fragment_shader(ShaderHome::kWeb, *state.technique)));
+  names.merge(names_reached(shader_text(background_fragment_shader(ShaderHome::kWeb))));
+  ViewData part = light;
+  std::erase_if(part.textures, [&](const ViewTexture& texture) { return !names.contains(texture.name); });
+  return part;
 }
 
 std::string note(const ViewPageOptions& options) {
@@ -191,33 +218,40 @@ JsonValue chooser(const ViewPageOptions& options) {
   if (options.module.empty() || options.embedded) return nullptr;
   Array layouts;
   for (const Layout layout : all_layouts()) layouts.push_back(name_of(layout));
-  return Object{{"module", packed_text(options.module)},
-                {"worker", text_of(page_part("worker"))},
-                {"layouts", std::move(layouts)}};
+  return Object{{"worker", text_of(page_part("worker"))}, {"layouts", std::move(layouts)}};
 }
 
 }  // namespace
 
-JsonValue view_page_tables(const ViewData& light, const ViewPageOptions& options) {
+ViewPageTables view_page_tables(const ViewData& light, const ViewPageOptions& options) {
   PageBytes bytes;
+  const auto meshes = page_meshes(options);
+  // Arrays that are in the bytes stay where they are when they are added again.
+  (void)light_tables(opening_light(light, options.state), bytes);
+  const auto& [first_name, first_mesh] = opening_mesh(meshes, options.state);
+  (void)mesh_table(first_name, first_mesh, bytes);
+  const Object arrow = mesh_table("arrow", arrow_mesh(), bytes);
+  const std::size_t opening = bytes.size();
   Object light_fields = light_tables(light, bytes);
-  Array objects = meshes(options, bytes);
-  Object arrow = mesh_table("arrow", arrow_mesh(), bytes);
-  return Object{{"title", options.title},
-                {"subtitle", options.subtitle},
-                {"note", note(options)},
-                {"embedded", options.embedded},
-                {"start", state_text(options.state)},
-                {"controls", controls()},
-                {"camera", camera()},
-                {"techniques", techniques()},
-                {"shaders", shaders()},
-                {"quarter_turn_blocks", quarter_turn()},
-                {"light", std::move(light_fields)},
-                {"meshes", std::move(objects)},
-                {"arrow", std::move(arrow)},
-                {"chooser", chooser(options)},
-                {"bytes", packed_text(std::as_bytes(std::span(bytes.bytes())))}};
+  Array objects;
+  for (const auto& [name, mesh] : meshes) objects.push_back(mesh_table(name, mesh, bytes));
+  const std::span<const std::byte> all = std::as_bytes(std::span(bytes.bytes()));
+  return {.tables = Object{{"title", options.title},
+                           {"subtitle", options.subtitle},
+                           {"note", note(options)},
+                           {"embedded", options.embedded},
+                           {"start", state_text(options.state)},
+                           {"controls", controls()},
+                           {"camera", camera()},
+                           {"techniques", techniques()},
+                           {"shaders", shaders()},
+                           {"quarter_turn_blocks", quarter_turn()},
+                           {"light", std::move(light_fields)},
+                           {"meshes", std::move(objects)},
+                           {"arrow", arrow},
+                           {"chooser", chooser(options)}},
+          .opening = packed_text(all.first(opening)),
+          .rest = packed_text(all.subspan(opening))};
 }
 
 }  // namespace zonal

@@ -2,13 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <set>
 
 #include "zonal/base/error.h"
 #include "zonal/io/json_text.h"
 #include "zonal/view/packed_text.h"
+#include "zonal/view/packed_text_test.h"
+#include "zonal/view/page_tables.h"
 #include "zonal/view/rgb9e5.h"
+#include "zonal/view/shader_names.h"
+#include "zonal/view/shader_source.h"
 
 namespace zonal {
 namespace {
@@ -32,11 +38,20 @@ const ViewData& small_light() {
   return light;
 }
 
-/// What the page's script reads.
-nlohmann::json tables_of(const std::string& html) {
-  const std::string_view open = R"(<script type="application/json" id="zonal-view-data">)";
+/// What an element of the page holds.
+std::string part_of(const std::string& html, std::string_view part) {
+  const std::string open = "id=\"zonal-view-" + std::string(part) + "\">";
   const std::size_t begin = html.find(open) + open.size(), end = html.find("</script>", begin);
-  return nlohmann::json::parse(html.substr(begin, end - begin));
+  return html.substr(begin, end - begin);
+}
+
+nlohmann::json tables_of(const std::string& html) { return nlohmann::json::parse(part_of(html, "tables")); }
+
+/// A shader of the page.
+std::string shader_of(const nlohmann::json& tables, const nlohmann::json& pieces) {
+  std::string text;
+  for (const std::size_t piece : pieces) text += tables.at("shaders").at("texts").at(piece).get<std::string>();
+  return text;
 }
 
 std::size_t count(const std::string& text, std::string_view part) {
@@ -56,10 +71,6 @@ TEST(SlowViewPage, HoldsEachTechniqueAndEachControlOnce) {
     EXPECT_EQ(technique.at("formula"), meant->formula);
     EXPECT_EQ(technique.at("source"), meant->source);
     EXPECT_EQ(technique.at("controls").size(), meant->controls.size());
-    for (const char* kind : {"compared", "alone"}) {
-      const std::string shader = tables.at("shaders").at(kind).at(ids.back());
-      EXPECT_NE(shader.find("vec3 shade(Surface s)"), std::string::npos) << ids.back();
-    }
   }
   for (const auto& control : tables.at("controls")) names.push_back(control.at("name"));
   for (const auto& field : tables.at("camera")) fields.push_back(field.at("name"));
@@ -73,13 +84,63 @@ TEST(SlowViewPage, HoldsEachTechniqueAndEachControlOnce) {
 }
 
 TEST(SlowViewPage, GivesTheShadersAsTheLibraryWritesThem) {
-  const nlohmann::json tables = tables_of(view_page_html(small_light()));
-  const std::string shared = tables.at("shaders").at("shared");
-  EXPECT_TRUE(shared.starts_with("#version 300 es\n"));
-  EXPECT_GT(shared.size(), 1000u);
+  const nlohmann::json tables = tables_of(view_page_html(small_light())), &shaders = tables.at("shaders");
+  constexpr ShaderHome kHome = ShaderHome::kWeb;
+  for (const Technique& technique : all_techniques()) {
+    EXPECT_EQ(shader_of(tables, shaders.at("compared").at(technique.id)),
+              shader_text(technique_fragment_shader(kHome, technique)));
+    EXPECT_EQ(shader_of(tables, shaders.at("alone").at(technique.id)),
+              shader_text(lone_technique_fragment_shader(kHome, technique)));
+  }
+  EXPECT_EQ(shader_of(tables, shaders.at("mesh_vertex")), shader_text(mesh_vertex_shader(kHome)));
+  EXPECT_EQ(shader_of(tables, shaders.at("background_vertex")), shader_text(background_vertex_shader(kHome)));
+  EXPECT_EQ(shader_of(tables, shaders.at("background")), shader_text(background_fragment_shader(kHome)));
+  EXPECT_EQ(shader_of(tables, shaders.at("arrow_vertex")), shader_text(arrow_vertex_shader(kHome)));
+  EXPECT_EQ(shader_of(tables, shaders.at("arrow")), shader_text(arrow_fragment_shader(kHome)));
   EXPECT_EQ(tables.at("meshes").size(), mesh_shape_names().size());
   EXPECT_EQ(tables.at("light").at("textures").size(), small_light().textures.size());
   EXPECT_EQ(tables.at("light").at("uniforms").size(), small_light().uniforms.size());
+}
+
+// Names that its shaders reach lie in the first bytes, and the object does.
+TEST(SlowViewPage, OpensFromItsFirstBytes) {
+  for (const Technique& technique : all_techniques()) {
+    ViewState state;
+    state.technique = &technique;
+    const ViewPageTables page = view_page_tables(small_light(), {.state = state});
+    const auto tables = nlohmann::json::parse(json_text(page.tables));
+    const std::size_t opening = unpacked(page.opening).size();
+    const std::set<std::string> names =
+        names_reached(shader_text(lone_technique_fragment_shader(ShaderHome::kWeb, technique)));
+    int read = 0, later = 0;
+    for (const auto& texture : tables.at("light").at("textures")) {
+      const bool is_first = names.contains(texture.at("name")) || texture.at("name") == "environment";
+      read += is_first;
+      for (const auto& level : texture.at("levels")) {
+        const std::size_t at = level.at(0), width = level.at(1), height = level.at(2);
+        const std::size_t end = at + width * height * (texture.at("table") ? 6 : 4);
+        EXPECT_TRUE(end <= opening || !is_first) << technique.id << " " << texture.at("name");
+        later += end > opening;
+      }
+    }
+    EXPECT_GE(read, 1) << technique.id;
+    EXPECT_GE(later, 8) << technique.id;
+    for (const auto& uniform : tables.at("light").at("uniforms")) {
+      EXPECT_LE(uniform.at("floats").at(0).get<std::size_t>() + 4 * uniform.at("floats").at(1).get<std::size_t>(),
+                opening);
+    }
+    for (const auto& mesh : tables.at("meshes")) {
+      const std::size_t end = mesh.at("indices_at").get<std::size_t>() + 4 * mesh.at("index_count").get<std::size_t>();
+      EXPECT_EQ(end <= opening, mesh.at("name") == state.mesh) << mesh.at("name");
+    }
+  }
+}
+
+// So that a browser need not decode it.
+TEST(SlowViewPage, IsAsciiWhateverItSays) {
+  const std::string html = view_page_html(small_light(), {.title = "\xe5\xa4\xa9 \xf0\x9f\x8c\x9e"});
+  EXPECT_TRUE(std::ranges::all_of(html, [](char c) { return static_cast<unsigned char>(c) < 128; }));
+  EXPECT_EQ(tables_of(html).at("title"), "\xe5\xa4\xa9 \xf0\x9f\x8c\x9e");
 }
 
 TEST(SlowViewPage, NoWordOfTheOutsideBecomesMarkup) {
@@ -107,11 +168,12 @@ TEST(SlowViewPage, CarriesTheLibraryWhenItGetsIt) {
   const std::string html = view_page_html(small_light(), {.module = module});
   EXPECT_EQ(count(html, "script-src 'unsafe-inline' 'wasm-unsafe-eval'; worker-src blob:\""), 1u);
   const nlohmann::json chooser = tables_of(html).at("chooser");
-  EXPECT_EQ(chooser.at("module"), packed_text(module));
+  EXPECT_EQ(part_of(html, "module"), packed_text(module));
   EXPECT_EQ(chooser.at("layouts").size(), all_layouts().size());
   EXPECT_NE(chooser.at("worker").get<std::string>().find("onmessage"), std::string::npos);
-  EXPECT_TRUE(
-      tables_of(view_section(small_light(), {.module = module, .embedded = true}).html).at("chooser").is_null());
+  const std::string embedded = view_section(small_light(), {.module = module, .embedded = true}).html;
+  EXPECT_TRUE(tables_of(embedded).at("chooser").is_null());
+  EXPECT_EQ(part_of(embedded, "module"), "");
 }
 
 TEST(SlowViewPage, OpensAsItsStateSays) {
@@ -136,7 +198,10 @@ TEST(SlowViewPage, SaysWhatWasCutOff) {
 }
 
 TEST(SlowViewPage, IsSmallForNoise) {
-  const std::string html = view_page_html(view_data(noise(256), view_page_data_options()));
+  std::vector<std::byte> module(250'000);  // the packed size of the real one
+  std::mt19937 random(4);
+  for (std::byte& byte : module) byte = static_cast<std::byte>(random());
+  const std::string html = view_page_html(view_data(noise(256), view_page_data_options()), {.module = module});
   EXPECT_LT(html.size(), 3.0e6);
   EXPECT_GT(html.size(), 1.0e6);  // noise does not compress: nothing real is larger
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <functional>
+#include <utility>
 
 #include "zonal/base/check.h"
 #include "zonal/image/tonemap.h"
@@ -82,11 +83,16 @@ std::string sum_function() {
          "  return sum;\n}\n";
 }
 
+std::string body(std::string_view stem) { return std::string(shader_body(stem)); }
+
 /// What every fragment shader starts with.
-std::string shared(ShaderHome home) {
-  std::string text = head(home) + control_uniforms() + display_constants();
-  for (const std::string_view stem : {"uniforms", "surface", "display"}) text += shader_body(stem);
-  return text;
+ShaderPieces shared(ShaderHome home) {
+  return {head(home), control_uniforms() + display_constants(), body("uniforms"), body("surface"), body("display")};
+}
+
+ShaderPieces with(ShaderPieces pieces, std::string more) {
+  pieces.push_back(std::move(more));
+  return pieces;
 }
 
 std::string_view exact_stem(Exact exact) {
@@ -112,21 +118,27 @@ std::string_view exact_stem(Exact exact) {
 }
 
 /// What several techniques share, for those that call it.
-std::string functions_for(std::string_view bodies) {
-  std::string text;
+void add_functions(std::string_view bodies, ShaderPieces& pieces) {
   const auto calls = [&](std::string_view function) { return bodies.find(function) != std::string_view::npos; };
-  if (calls("sh_basis(")) text += basis_function();
-  if (calls("sh_sum(")) text += sum_function();
-  if (calls("polynomial_irradiance(")) text += shader_body("polynomial");
-  if (calls("lamp_center(")) text += shader_body("lamp");
-  if (calls("glossy_sum(")) text += shader_body("glossy_sum");
-  if (calls("phong_sum(")) text += shader_body("phong_sum");
-  if (calls("exponent_level(")) text += shader_body("exponent_level");
-  return text;
+  if (calls("ball_toward(") || calls("ball_with_normal(")) pieces.push_back(body("ball"));
+  if (calls("paraboloid_toward(")) pieces.push_back(body("paraboloid"));
+  if (calls("sh_basis(")) pieces.push_back(basis_function());
+  if (calls("sh_sum(")) pieces.push_back(sum_function());
+  if (calls("polynomial_irradiance(")) pieces.push_back(body("polynomial"));
+  if (calls("lamp_center(")) pieces.push_back(body("lamp"));
+  if (calls("glossy_sum(")) pieces.push_back(body("glossy_sum"));
+  if (calls("phong_sum(")) pieces.push_back(body("phong_sum"));
+  if (calls("exponent_level(")) pieces.push_back(body("exponent_level"));
 }
 
-std::string fragment_shader(ShaderHome home, const std::string& bodies) {
-  return shared(home) + functions_for(bodies) + bodies + std::string(shader_body("surface_main"));
+/// `main`: the stem of what begins it all.
+ShaderPieces fragment_shader(ShaderHome home, const ShaderPieces& bodies, std::string_view main) {
+  ShaderPieces pieces = shared(home);
+  add_functions(shader_text(bodies), pieces);
+  pieces.insert(pieces.end(), bodies.begin(), bodies.end());
+  pieces.push_back(body("surface_of_pixel"));
+  pieces.push_back(body(main));
+  return pieces;
 }
 
 }  // namespace
@@ -139,30 +151,28 @@ std::string_view shader_body(std::string_view stem) {
   return {};
 }
 
-std::string mesh_vertex_shader(ShaderHome home) { return head(home) + std::string(shader_body("mesh_vertex")); }
-
-std::string technique_fragment_shader(ShaderHome home, const Technique& technique) {
-  return fragment_shader(
-      home, std::string(shader_body(technique.id)) + std::string(shader_body(exact_stem(technique.exact))));
+std::string shader_text(const ShaderPieces& pieces) {
+  std::string text;
+  for (const std::string& piece : pieces) text += piece;
+  return text;
 }
 
-std::string lone_technique_fragment_shader(ShaderHome home, const Technique& technique) {
-  return fragment_shader(home,
-                         std::string(shader_body(technique.id)) + "vec3 exact(Surface s) { return vec3(0.0); }\n");
+ShaderPieces mesh_vertex_shader(ShaderHome home) { return {head(home), body("mesh_vertex")}; }
+
+ShaderPieces technique_fragment_shader(ShaderHome home, const Technique& technique) {
+  return fragment_shader(home, {body(technique.id), body(exact_stem(technique.exact))}, "compared_main");
 }
 
-std::string background_vertex_shader(ShaderHome home) {
-  return head(home) + std::string(shader_body("background_vertex"));
+ShaderPieces lone_technique_fragment_shader(ShaderHome home, const Technique& technique) {
+  return fragment_shader(home, {body(technique.id)}, "lone_main");
 }
 
-std::string background_fragment_shader(ShaderHome home) {
-  return shared(home) + std::string(shader_body("background"));
-}
+ShaderPieces background_vertex_shader(ShaderHome home) { return {head(home), body("background_vertex")}; }
 
-std::string arrow_vertex_shader(ShaderHome home) {
-  return head(home) + std::string(shader_body("uniforms")) + std::string(shader_body("arrow_vertex"));
-}
+ShaderPieces background_fragment_shader(ShaderHome home) { return with(shared(home), body("background")); }
 
-std::string arrow_fragment_shader(ShaderHome home) { return shared(home) + std::string(shader_body("arrow")); }
+ShaderPieces arrow_vertex_shader(ShaderHome home) { return {head(home), body("uniforms"), body("arrow_vertex")}; }
+
+ShaderPieces arrow_fragment_shader(ShaderHome home) { return with(shared(home), body("arrow")); }
 
 }  // namespace zonal

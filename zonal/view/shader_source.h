@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "zonal/view/technique.h"
 
@@ -13,20 +14,23 @@ enum class ShaderHome {
   kWeb,      ///< #version 300 es, WebGL2
 };
 
+/// A shader in the order of its text. Shaders have pieces in common, which a page holds once.
+using ShaderPieces = std::vector<std::string>;
+std::string shader_text(const ShaderPieces&);
+
 /// What a vertex goes through. Attributes 0 position, 1 normal, 2 texture coordinates.
-std::string mesh_vertex_shader(ShaderHome);
+ShaderPieces mesh_vertex_shader(ShaderHome);
 /// The pixels of a surface: the technique, what it is compared with, exposure and tone curve.
-std::string technique_fragment_shader(ShaderHome, const Technique&);
-/// The same without the exact answer (which is black), for pictures of the technique alone: software renderers work on
-/// both sides of every branch.
-std::string lone_technique_fragment_shader(ShaderHome, const Technique&);
+ShaderPieces technique_fragment_shader(ShaderHome, const Technique&);
+/// The same for pictures of the technique alone, in colours: software renderers work on both sides of every branch.
+ShaderPieces lone_technique_fragment_shader(ShaderHome, const Technique&);
 /// A triangle over the whole picture, without attributes, and the environment behind the object.
-std::string background_vertex_shader(ShaderHome);
-std::string background_fragment_shader(ShaderHome);
+ShaderPieces background_vertex_shader(ShaderHome);
+ShaderPieces background_fragment_shader(ShaderHome);
 /// An arrow_mesh() for each of the first marked_lights instances, from its light toward the object. Its area is in
 /// proportion to the light's share of all light, its hue is the light's; the tip is just outside the unit ball.
-std::string arrow_vertex_shader(ShaderHome);
-std::string arrow_fragment_shader(ShaderHome);
+ShaderPieces arrow_vertex_shader(ShaderHome);
+ShaderPieces arrow_fragment_shader(ShaderHome);
 
 /// A body by its stem, as it is in zonal/view/shaders. std::logic_error when there is none.
 std::string_view shader_body(std::string_view stem);

@@ -37,7 +37,7 @@ TEST(Technique, EachHasItsNameItsWordsAndItsControls) {
       const Control& control = control_named(name);
       EXPECT_TRUE(std::ranges::none_of(common_controls(), [&](const Control& c) { return c.name == name; })) << name;
       // A control of a technique is in its shader, and not only declared there.
-      EXPECT_GE(count(technique_fragment_shader(ShaderHome::kDesktop, technique), control.name), 2u)
+      EXPECT_GE(count(shader_text(technique_fragment_shader(ShaderHome::kDesktop, technique)), control.name), 2u)
           << technique.id << " " << name;
     }
   }
@@ -95,7 +95,7 @@ TEST(Technique, TheDataIsWhatTheShadersDeclare) {
 TEST(Technique, NoneUsesMoreTexturesThanAPageHas) {
   const std::string_view declared = shader_body("uniforms");
   for (const Technique& technique : all_techniques()) {
-    const std::string text = technique_fragment_shader(ShaderHome::kWeb, technique);
+    const std::string text = shader_text(technique_fragment_shader(ShaderHome::kWeb, technique));
     int used = 0;
     for (std::size_t at = declared.find("uniform sampler"); at != declared.npos;
          at = declared.find("uniform sampler", at + 1)) {
@@ -119,14 +119,14 @@ TEST(SlowTechnique, BothHomesAcceptEveryShader) {
     ++checked;
   };
   for (const ShaderHome home : {ShaderHome::kDesktop, ShaderHome::kWeb}) {
-    check(mesh_vertex_shader(home), "mesh.vert");
-    check(background_vertex_shader(home), "background.vert");
-    check(background_fragment_shader(home), "background.frag");
-    check(arrow_vertex_shader(home), "arrow.vert");
-    check(arrow_fragment_shader(home), "arrow.frag");
+    check(shader_text(mesh_vertex_shader(home)), "mesh.vert");
+    check(shader_text(background_vertex_shader(home)), "background.vert");
+    check(shader_text(background_fragment_shader(home)), "background.frag");
+    check(shader_text(arrow_vertex_shader(home)), "arrow.vert");
+    check(shader_text(arrow_fragment_shader(home)), "arrow.frag");
     for (const Technique& technique : all_techniques()) {
-      check(technique_fragment_shader(home, technique), std::string(technique.id) + ".frag");
-      check(lone_technique_fragment_shader(home, technique), std::string(technique.id) + "-alone.frag");
+      check(shader_text(technique_fragment_shader(home, technique)), std::string(technique.id) + ".frag");
+      check(shader_text(lone_technique_fragment_shader(home, technique)), std::string(technique.id) + "-alone.frag");
     }
   }
   EXPECT_EQ(checked, static_cast<int>(2 * (5 + 2 * all_techniques().size())));

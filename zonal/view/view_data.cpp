@@ -32,10 +32,10 @@ int levels_from(int chain_px) {
   return levels;
 }
 
-/// The exponents of the Phong chain: from 512 to 1 in equal ratios.
+/// The exponents of a chain: from 512 to 1 in equal ratios, to whole numbers, whose powers cost no call of a library.
 std::vector<double> exponents(int levels) {
   std::vector<double> list;
-  for (int i = 0; i < levels; ++i) list.push_back(levels == 1 ? 1 : std::pow(512, 1 - i / (levels - 1.0)));
+  for (int i = 0; i < levels; ++i) list.push_back(levels == 1 ? 1 : std::round(std::pow(512, 1 - i / (levels - 1.0))));
   return list;
 }
 

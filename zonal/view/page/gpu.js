@@ -1,10 +1,12 @@
 // What lies on the graphics card: programs, textures, meshes. Made when first used.
 
 class Program {
+  // The card compiles while the page goes on.
   constructor(gl, vertex, fragment, what) {
     this.gl = gl;
+    this.what = what;
     this.id = gl.createProgram();
-    const shaders = [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]].map(([kind, source]) => {
+    this.shaders = [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]].map(([kind, source]) => {
       const shader = gl.createShader(kind);
       gl.shaderSource(shader, source);
       gl.compileShader(shader);
@@ -12,31 +14,44 @@ class Program {
       return shader;
     });
     gl.linkProgram(this.id);
+  }
+
+  // Waits for the card. Each sampler gets a texture unit of its own for good.
+  get uniforms() {
+    if (this.found) return this.found;
+    const gl = this.gl;
     if (!gl.getProgramParameter(this.id, gl.LINK_STATUS)) {
-      const words = [...shaders.map((s) => gl.getShaderInfoLog(s)), gl.getProgramInfoLog(this.id)].filter((w) => w);
-      gl.deleteProgram(this.id);
+      const words = [...this.shaders.map((s) => gl.getShaderInfoLog(s)), gl.getProgramInfoLog(this.id)].filter((w) => w);
       if (gl.isContextLost()) throw new LostContext();
-      throw new Error(`the graphics driver refuses the shaders of “${what}”: ${words.join('\n')}`);
+      throw new Error(`the graphics driver refuses the shaders of “${this.what}”: ${words.join('\n')}`);
     }
-    shaders.forEach((shader) => gl.deleteShader(shader));
-    this.uniforms = [];
+    this.shaders.forEach((shader) => gl.deleteShader(shader));
+    this.found = [];
+    gl.useProgram(this.id);
     const count = gl.getProgramParameter(this.id, gl.ACTIVE_UNIFORMS);
-    for (let i = 0; i < count; ++i) {
-      const {name, type} = gl.getActiveUniform(this.id, i);
-      this.uniforms.push({name: name.replace(/\[0\]$/, ''), type, place: gl.getUniformLocation(this.id, name)});
+    for (let i = 0, units = 0; i < count; ++i) {
+      const {name, type} = gl.getActiveUniform(this.id, i), place = gl.getUniformLocation(this.id, name);
+      const unit = type === gl.SAMPLER_2D || type === gl.SAMPLER_CUBE ? units++ : undefined;
+      if (unit !== undefined) gl.uniform1i(place, unit);
+      this.found.push({name: name.replace(/\[0\]$/, ''), type, place, unit});
     }
+    return this.found;
+  }
+
+  // Draws with whatever numbers there are.
+  begin() {
+    void this.uniforms;
+    this.gl.useProgram(this.id);
   }
 
   // Gives every uniform the number (or array) that `numbers` has under its name, and every sampler its texture.
   use(numbers, textures) {
-    const gl = this.gl;
+    const gl = this.gl, uniforms = this.uniforms;
     gl.useProgram(this.id);
-    let unit = 0;
-    for (const {name, type, place} of this.uniforms) {
-      if (type === gl.SAMPLER_2D || type === gl.SAMPLER_CUBE) {
+    for (const {name, type, place, unit} of uniforms) {
+      if (unit !== undefined) {
         gl.activeTexture(gl.TEXTURE0 + unit);
         textures.bind(name);
-        gl.uniform1i(place, unit++);
         continue;
       }
       const value = numbers[name];
@@ -101,7 +116,9 @@ class Textures {
   }
 
   make(texture, target) {
-    const gl = this.gl, id = gl.createTexture(), own = this.own.get(texture.name);
+    const gl = this.gl, own = this.own.get(texture.name);
+    const texels = own ? [] : texture.levels.map((_, level) => this.texels(texture.name, level));
+    const id = gl.createTexture();
     gl.bindTexture(target, id);
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 2);
     const format = texture.table ? gl.RGB16F : gl.RGB9_E5;
@@ -111,14 +128,13 @@ class Textures {
         gl.texImage2D(target, level, gl.RGB16F, width, height, 0, gl.RGB, gl.FLOAT, own);
         return;
       }
-      const texels = this.texels(texture.name, level);
       if (!texture.cube) {
-        gl.texImage2D(target, level, format, width, height, 0, gl.RGB, type, texels);
+        gl.texImage2D(target, level, format, width, height, 0, gl.RGB, type, texels[level]);
         return;
       }
-      for (let face = 0, size = texels.length / 6; face < 6; ++face) {
+      for (let face = 0, size = texels[level].length / 6; face < 6; ++face) {
         gl.texImage2D(gl.TEXTURE_CUBE_MAP_POSITIVE_X + face, level, format, width, width, 0, gl.RGB, type,
-                      texels.subarray(face * size, (face + 1) * size));
+                      texels[level].subarray(face * size, (face + 1) * size));
       }
     });
     const set = (parameter, value) => gl.texParameteri(target, parameter, value);
@@ -133,12 +149,17 @@ class Textures {
 
 // A vertex is eight shorts: position and normal in units of 1/32767, texture coordinates in units of 1/65535.
 const uploadedMesh = (gl, mesh, bytes) => {
+  const vertices = summedRows(shorts(bytes, mesh.vertices_at, 8 * mesh.vertex_count), 8);
+  return vertexArray(gl, vertices, summedRows(words(bytes, mesh.indices_at, mesh.index_count), 3));
+};
+
+const vertexArray = (gl, vertices, indices) => {
   const array = gl.createVertexArray();
   gl.bindVertexArray(array);
   gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
-  gl.bufferData(gl.ARRAY_BUFFER, summedRows(shorts(bytes, mesh.vertices_at, 8 * mesh.vertex_count), 8), gl.STATIC_DRAW);
+  gl.bufferData(gl.ARRAY_BUFFER, vertices, gl.STATIC_DRAW);
   gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
-  gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, summedRows(words(bytes, mesh.indices_at, mesh.index_count), 3), gl.STATIC_DRAW);
+  gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices, gl.STATIC_DRAW);
   [[3, gl.SHORT, 0], [3, gl.SHORT, 6], [2, gl.UNSIGNED_SHORT, 12]].forEach(([components, type, offset], place) => {
     gl.enableVertexAttribArray(place);
     gl.vertexAttribPointer(place, components, type, true, 16, offset);

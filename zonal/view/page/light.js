@@ -61,7 +61,8 @@ class LightChooser {
     const {file, from, fix} = this, ticket = this.ticket = {};
     this.progress('reading', 0);
     try {
-      this.module ??= await unpacked(this.data.module);
+      await documentRead;
+      this.module ??= await unpacked(textOf('module'));
       const bytes = await file.arrayBuffer();
       if (this.ticket !== ticket) return;
       const source = URL.createObjectURL(new Blob([this.data.worker], {type: 'text/javascript'}));

@@ -23,9 +23,12 @@ class Measure {
   // What is under way is of no use any more.
   forget() { this.ticket = undefined; }
 
-  // The root of the mean square of the difference over that of the exact answer; undefined when another one was begun.
-  // The page goes on while the card works.
+  // The root of the mean square of the difference over that of the exact answer, or words about why it cannot be had;
+  // undefined when it was forgotten meanwhile. The page goes on while the card works.
   async difference(scene, values, slow) {
+    if (!this.possible) {
+      return 'the difference as a number cannot be had: this browser cannot draw into floats (EXT_color_buffer_float)';
+    }
     const gl = this.gl, ticket = this.ticket = {}, [width, height] = slow ? sizes.slow : sizes.whole;
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.frame);
     gl.viewport(0, 0, width, height);

@@ -3,10 +3,10 @@
 const view = async (root, data) => {
   root.classList.toggle('zv-embedded', data.embedded);
   const settings = new Settings(data), pace = new Pace();
-  let scene, measure, waiting = 0, idle = 0, tick = 0, busy = false, again = false, refining = false;
+  let scene, measure, waiting = 0, idle = 0, tick = 0, busy = false, again = false, refining = false, missing = false;
 
   const later = (what) => { clearTimeout(idle); idle = setTimeout(what, 250); };
-  const request = () => { if (scene && !waiting) waiting = requestAnimationFrame(draw); };
+  const request = () => { if (scene?.light && !waiting) waiting = requestAnimationFrame(draw); };
   const update = () => {
     clearTimeout(idle);
     refining = false;
@@ -42,26 +42,37 @@ const view = async (root, data) => {
     if (!data.embedded && location.hash !== address) history.replaceState(null, '', address);
   };
 
-  const gl = canvas.getContext('webgl2', {alpha: false, antialias: true, powerPreference: 'high-performance'});
+  const gl = canvas.getContext('webgl2', {antialias: false, powerPreference: 'high-performance'});
   const failed = (error) => {
-    if (!(error instanceof LostContext)) panel.notice('picture', String(error.message ?? error));
+    if (error instanceof NotYet) missing = true;
+    else if (!(error instanceof LostContext)) panel.notice('picture', String(error.message ?? error));
   };
-  const measureNow = async () => {
+  // When nothing has changed for a while: edges are smoothed and the difference is measured.
+  const rest = async () => {
     writeAddress();
     if (gl.isContextLost()) return;
-    if (!measure.possible) {
-      panel.difference('the difference as a number cannot be had: this browser cannot draw into floats (EXT_color_buffer_float)');
-      return;
-    }
+    if (panel.coarse.hidden) drawPicture(true);
+    measure ??= new Measure(gl);
     try {
       const rms = await measure.difference(scene, settings.values, panel.technique.slow);
-      if (rms !== undefined) panel.difference(rms);
+      if (rms === undefined) return;
+      panel.difference(rms);
+    } catch (error) {
+      failed(error);
+    }
+    canvas.ariaBusy = String(missing);
+  };
+  const drawPicture = (smooth) => {
+    try {
+      if (!scene.draw(settings.values, canvas.width, canvas.height, smooth)) request();
+      panel.notice('picture', '');
     } catch (error) {
       failed(error);
     }
   };
   const draw = () => {
     waiting = 0;
+    measure?.forget();
     if (gl.isContextLost()) return;
     if (busy) { again = true; return; }
     const slow = settings.values.compare !== 0 && panel.technique.slow;
@@ -70,16 +81,12 @@ const view = async (root, data) => {
     const [width, height] = [wide, high].map((size) => Math.max(1, Math.round(size * scale)));
     if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
     panel.coarse.hidden = scale === 1;
-    try {
-      scene.draw(settings.values, width, height);
-      panel.notice('picture', '');
-    } catch (error) {
-      failed(error);
-    }
+    canvas.ariaBusy = 'true';
+    drawPicture(false);
     clearTimeout(tick);
     if (panel.technique.moves) tick = setTimeout(request, 1000 - performance.now() % 1000);  // at the next full second
     if (slow) drawnSlowly(width * height, wide * high);
-    else later(measureNow);
+    else later(rest);
   };
   // A finer picture follows when nothing else is asked for.
   const drawnSlowly = async (drawn, whole) => {
@@ -92,30 +99,26 @@ const view = async (root, data) => {
     } else if (pace.scale(whole, 600) ** 2 * whole > 1.5 * drawn) {
       later(() => { refining = true; request(); });
     } else {
-      later(measureNow);
+      later(rest);
     }
   };
+  const bytes = new Bytes();
   let light;  // {name, textures, uniforms, exposure_ev, cut_off, bytes}
   // What was painted outlives a lost context and another light.
   const placeHighlight = () => {
     if (hasPainted) scene.textures.replace(ownHighlight, panel.painter.picture);
-    else panel.painter.show(floatsOfShared(scene.textures.texels(ownHighlight, 0)));
+    else if (light.bytes.isWhole) panel.painter.show(floatsOfShared(scene.textures.texels(ownHighlight, 0)));
   };
-  const begin = () => {
-    scene = new Scene(gl, data, bytes, light);
+  const showOnCard = () => {
+    scene.show(light);
     placeHighlight();
-    measure = new Measure(gl);
     request();
   };
   const showLight = (other) => {
-    light = other;
+    light = {...other, bytes: Bytes.whole(other.bytes)};
     settings.start.exposure_ev = settings.values.exposure_ev = floats(light.bytes, ...light.exposure_ev)[0];
     panel.name(light.name, light.cut_off);
-    measure?.forget();
-    if (scene && !gl.isContextLost()) {
-      scene.show(light);
-      placeHighlight();
-    }
+    if (scene && !gl.isContextLost()) showOnCard();
     update();
   };
 
@@ -127,20 +130,36 @@ const view = async (root, data) => {
     panel.notice('picture', 'This browser gives no WebGL 2: there is no picture. The words and formulas are all here.');
     return;
   }
-  const bytes = await unpacked(data.bytes);
-  light ??= {...data.light, bytes};
+  scene = new Scene(gl, data, bytes);
+  try {
+    scene.prepare(settings.values);
+  } catch (error) {
+    failed(error);
+  }
   canvas.addEventListener('webglcontextlost', (event) => {
     event.preventDefault();
-    measure.forget();
+    measure?.forget();
+    measure = undefined;
     panel.notice('context', 'The graphics card was taken away from this page. It waits to get it back.');
   });
   canvas.addEventListener('webglcontextrestored', () => {
     panel.notice('context', '');
-    begin();
+    scene = new Scene(gl, data, bytes);
+    if (light) showOnCard();
   });
   new ResizeObserver(request).observe(canvas);
   orbitBy(canvas, settings, update, data.embedded);
-  begin();
+  await openingRead;
+  bytes.add(await unpacked(textOf('opening')));
+  light ??= {...data.light, bytes};
+  if (!gl.isContextLost()) showOnCard();
+  await documentRead;
+  await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));  // the first picture has been asked for
+  bytes.add(await unpacked(textOf('rest')));
+  bytes.isWhole = true;
+  if (!gl.isContextLost()) placeHighlight();
+  if (missing) request();
+  missing = false;
 };
 
 const root = document.getElementById('zonal-view');
@@ -149,7 +168,7 @@ const tell = (error) => {
   (root.querySelector('.zv-notices') ?? root).prepend(message);
 };
 try {
-  const data = JSON.parse(document.getElementById('zonal-view-data').textContent);
+  const data = JSON.parse(textOf('tables'));
   view(root, data).catch(tell);
 } catch (error) {
   tell(error);

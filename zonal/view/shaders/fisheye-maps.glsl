@@ -55,30 +55,27 @@ vec3 toward_cube_texel(vec3 d, float edge) {
 }
 
 // The map itself, or one that was read out of it: a panorama of as many rows, a cube with faces of half as many texels.
+// Software renderers work on both sides of a branch and once more on a loop that tests first: these test last.
 vec3 sky_mean_toward(vec3 d, int size, int level, vec3 ground) {
-  if (sky_form == 0) return sky_paraboloid(d, size, level, ground);
-  int axis = cube_axis(d);
+  int axis = cube_axis(d), reads = sky_form == 0 ? 1 : 4, i = 0;
   float edge = 0.5 * float(size);
   vec2 texels = sky_form == 1 ? vec2(2 * size, size) : vec2(edge);
   vec2 place = (sky_form == 1 ? equirect_uv(d) : 0.5 + 0.5 * on_face(d, axis)) * texels - 0.5, part = fract(place);
   vec3 sum = vec3(0.0);
-  for (int i = 0; i < 4; ++i) {
-    vec2 corner = vec2(i & 1, i >> 1), uv = (floor(place) + corner + 0.5) / texels;
-    vec3 toward = sky_form == 1 ? toward_on_panorama(uv)
+  do {
+    vec2 corner = vec2(i & 1, i >> 1), uv = (floor(place) + corner + 0.5) / texels, weights = mix(1.0 - part, part, corner);
+    vec3 toward = sky_form == 0 ? d : sky_form == 1 ? toward_on_panorama(uv)
                                 : toward_cube_texel(toward_on_face(2.0 * uv - 1.0, axis, d[axis] < 0.0 ? -1.0 : 1.0), edge);
-    vec2 weight = mix(1.0 - part, part, corner);
-    sum += weight.x * weight.y * sky_paraboloid(toward, size, level, ground);
-  }
+    sum += (sky_form == 0 ? 1.0 : weights.x * weights.y) * sky_paraboloid(toward, size, level, ground);
+  } while (++i < reads);
   return sum;
 }
 
 vec3 shade(Surface s) {
-  vec3 d = in_light(sky_map == 0 ? s.normal : toward_mirrored(s)), ground = ground_radiance();
+  vec3 d = in_light(sky_map == 0 ? s.normal : toward_mirrored(s)), ground = ground_radiance(), sum = vec3(0.0);
   int size = textureSize(sky_maps, 0).x / 2;
   float level = sky_map == 0 ? sky_levels - 1.0 : exponent_level(sky_exponents, sky_levels);
-  int sharp = int(level);
-  vec3 mean = sky_mean_toward(d, size, sharp, ground);
-  float part = level - float(sharp);
-  if (part > 0.0) mean = mix(mean, sky_mean_toward(d, size, sharp + 1, ground), part);
-  return (sky_map == 0 ? albedo : 1.0) * mean;
+  int i = int(level), last = level > float(i) ? i + 1 : i;
+  do sum += (1.0 - abs(level - float(i))) * sky_mean_toward(d, size, i, ground); while (++i <= last);
+  return (sky_map == 0 ? albedo : 1.0) * sum;
 }

@@ -30,22 +30,6 @@ vec3 panorama_toward(sampler2D picture, vec3 d) { return textureLod(picture, equ
 
 vec3 cube_toward(samplerCube picture, vec3 d, float level) { return textureLod(picture, sampler_from_world(d), level).rgb; }
 
-// The map is a photograph of a mirrored ball by a camera that looks along +X. Its normal there is half way between the
-// mirrored direction and the direction to the camera.
-vec3 ball_with_normal(vec3 n) { return textureLod(sphere_map, vec2(0.5 - 0.5 * n.y, 0.5 - 0.5 * n.z), 0.0).rgb; }
-vec3 ball_toward(vec3 d) {
-  vec3 half_way = d + vec3(-1.0, 0.0, 0.0);
-  return ball_with_normal(half_way / max(length(half_way), 1e-6));
-}
-
-// Front and back share a picture: half a texel beside the line between them, so that neither bleeds into the other.
-vec3 paraboloid_toward(vec3 d) {
-  vec2 uv = 0.5 - 0.5 * d.yz / (1.0 + abs(d.x));
-  float edge = 1.0 / float(textureSize(dual_paraboloid, 0).x);
-  uv.x = clamp(uv.x, edge, 1.0 - edge);
-  return textureLod(dual_paraboloid, vec2(d.x >= 0.0 ? 0.5 * uv.x : 0.5 + 0.5 * uv.x, uv.y), 0.0).rgb;
-}
-
 // Matte light of a few bands may be below zero; measured, it is what it is.
 vec3 tinted(vec3 light) {
   return tint_negative != 0 && measure == 0 && min(light.r, min(light.g, light.b)) < 0.0 ? negative_tint : light;

@@ -1,8 +1,3 @@
-in vec3 world_position;
-in vec3 world_normal;
-in vec2 texture_position;
-out vec4 pixel;
-
 // Too bright is red, too dark is blue, over the exact answer in grey.
 vec3 difference_color(vec3 value, vec3 truth) {
   float error = (luminance(value) - luminance(truth)) * exp2(exposure_ev) * difference_gain;
@@ -11,14 +6,7 @@ vec3 difference_color(vec3 value, vec3 truth) {
 }
 
 void main() {
-  Surface s;
-  s.position = world_position;
-  s.normal = normalize(world_normal);
-  s.toward_eye = normalize(eye - world_position);
-  // The inside of an open mesh, judged by the face: at the rim an interpolated normal may lean away from the eye.
-  vec3 face = cross(dFdx(world_position), dFdy(world_position));
-  if (dot(face, s.toward_eye) * dot(face, s.normal) < 0.0) s.normal = -s.normal;
-  s.uv = texture_position;
+  Surface s = surface_of_pixel();
   // By uniforms alone where the technique takes derivatives: neighbours must go the same way.
   bool truth_side = compare == 3 && gl_FragCoord.x > split_px;
   vec3 value = vec3(0.0), truth = vec3(0.0);

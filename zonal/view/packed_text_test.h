@@ -1,0 +1,40 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <string>
+
+namespace zonal {
+
+/// The inverse of base64_text(), written another way: digit by digit into a register.
+inline std::string decoded(const std::string& text) {
+  std::string bytes;
+  unsigned bits = 0, held = 0;
+  for (const char c : text) {
+    if (c == '=') break;
+    const unsigned digit = c >= 'A' && c <= 'Z'   ? c - 'A'
+                           : c >= 'a' && c <= 'z' ? c - 'a' + 26
+                           : c >= '0' && c <= '9' ? c - '0' + 52
+                           : c == '+'             ? 62
+                                                  : 63;
+    bits = bits << 6 | digit;
+    held += 6;
+    if (held >= 8) bytes += static_cast<char>(bits >> (held -= 8) & 255);
+  }
+  return bytes;
+}
+
+/// The inverse of packed_text().
+inline std::string unpacked(const std::string& text) {
+  const std::string packed = decoded(text);
+  std::string plain(1100 * packed.size() + 64, '\0');  // a stream is a thousandth of its numbers at least
+  uLongf length = static_cast<uLongf>(plain.size());
+  EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(plain.data()), &length, reinterpret_cast<const Bytef*>(packed.data()),
+                       static_cast<uLong>(packed.size())),
+            Z_OK);
+  plain.resize(length);
+  return plain;
+}
+
+}  // namespace zonal
