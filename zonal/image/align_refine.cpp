@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -149,10 +150,6 @@ class Level {
 };
 
 Placement scaled(const Placement& p, double factor) { return {factor * p.dx, factor * p.dy, p.rotation_deg}; }
-
-}  // namespace
-
-namespace {
 
 /// One level, with lengths in pixels of the finest one.
 Refined fit_level(const std::vector<Image<float>>& fixed, const std::vector<Image<float>>& moving, std::size_t level,

@@ -3,6 +3,7 @@
 // What the tests of shader texts need of the world: a folder, and whether a compiler is there.
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -12,10 +13,11 @@
 
 namespace zonal {
 
-/// A folder of its own that disappears with the test.
+/// A folder of its own, whatever else is tested at the same time, that disappears with the test.
 class Workshop {
  public:
-  explicit Workshop(const std::string& name) : path_(std::filesystem::path(testing::TempDir()) / name) {
+  explicit Workshop(const std::string& name)
+      : path_(std::filesystem::path(testing::TempDir()) / (name + "." + std::to_string(::getpid()))) {
     std::filesystem::create_directories(path_);
   }
   ~Workshop() { std::filesystem::remove_all(path_); }

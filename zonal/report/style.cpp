@@ -115,6 +115,9 @@ footer { margin-top: 56px; padding-top: 16px; border-top: 1px solid var(--rule);
   .readout { grid-template-columns: repeat(auto-fit, minmax(128px, 1fr)); }
   .readout dd { font-size: 20px; }
 }
+@media (max-width: 340px) {
+  th, td { padding-right: 6px; }
+}
 @media (max-width: 560px) {
   /* Charts shrink with the page, their letters must not. */
   .chart { font-size: 23px; }
