@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "zonal/base/error.h"
+#include "zonal/io/environment_file.h"
 #include "zonal/io/file.h"
 #include "zonal/io/picture.h"
 #include "zonal/io/png.h"
@@ -18,12 +19,6 @@ namespace {
 
 constexpr double kFrameMs = 40;           // of drawing, so that with the panels there are about 20 frames a second
 constexpr std::size_t kMostMessages = 6;  // more would hide the picture
-
-std::string file_names(const std::vector<std::filesystem::path>& paths) {
-  std::string names = paths[0].filename().string();
-  if (paths.size() > 1) names += fmt::format(" and {} more", paths.size() - 1);
-  return names;
-}
 
 }  // namespace
 
@@ -117,7 +112,7 @@ void Viewer::open(const std::vector<std::filesystem::path>& paths) {
          "the last of them is " + meshes.back().filename().string(), false});
   }
   if (pictures.empty()) return;
-  open_light(file_names(pictures), [pictures](const Run& run) { return load_light_picture(pictures, run); });
+  open_light(environment_name(pictures), [pictures](const Run& run) { return load_light_picture(pictures, run); });
 }
 
 void Viewer::open_light(std::string name, LightLoader loader) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "zonal/base/error.h"
+#include "zonal/io/environment_file.h"
 #include "zonal/report/bake_record.h"
 
 namespace zonal {
@@ -14,13 +15,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-std::string name_for_people(const InputOptions& input) {
-  const std::filesystem::path& first = input.paths[0];
-  const std::filesystem::path shown = first.has_filename() ? first.filename() : first.parent_path().filename();
-  if (input.paths.size() == 1) return shown.string();
-  return fmt::format("{} and {} more", shown.string(), input.paths.size() - 1);
-}
 
 std::string words_of(const BakedFile& file) {
   if (file.error_bound < 0) return file.file.what;
@@ -81,7 +75,7 @@ void run_bake(BakeCommand& command, Call& call) {
   origin.program = kProgram;
   origin.command = call.command;
   origin.command.insert(origin.command.begin(), "zonal");
-  origin.name = name_for_people(command.input);
+  origin.name = environment_name(command.input.paths);
   origin.input = std::move(input.loaded);
   origin.input_size = input.file_size;
   origin.timings = !command.no_timings;

@@ -14,6 +14,7 @@
 #include "apps/zonal/verbs.h"
 #include "zonal/base/error.h"
 #include "zonal/image/color.h"
+#include "zonal/io/environment_file.h"
 #include "zonal/light/fisheye_pixels.h"
 #include "zonal/report/fisheye_page.h"
 #include "zonal/report/text.h"
@@ -153,7 +154,7 @@ std::vector<FisheyeFile> add_files(const FisheyeCommand& command, const LoadedEn
                     "slow; --mode published takes all pixels",
                     factor));
   }
-  FisheyePage page{command.input.paths[0].filename().string(),
+  FisheyePage page{environment_name(command.input.paths),
                    &photograph,
                    options.grey_levels,
                    options.ground,

@@ -8,6 +8,7 @@
 #include "apps/zonal/input_options.h"
 #include "apps/zonal/run_options.h"
 #include "apps/zonal/verbs.h"
+#include "zonal/io/environment_file.h"
 #include "zonal/report/gallery_page.h"
 #include "zonal/report/gallery_probe.h"
 
@@ -27,7 +28,7 @@ struct Probe {
 Probe probe_of(const InputOptions& options, Call& call) {
   if (options.paths.empty()) return {gallery_probe(call.run), "a built-in room with three lights"};
   Input input = read_input(options, call);
-  return {whole_light(input, options, call).environment, options.paths[0].filename().string()};
+  return {whole_light(input, options, call).environment, environment_name(options.paths)};
 }
 
 JsonValue json_of(const GalleryFigure& figure) {

@@ -77,9 +77,8 @@ Response response_for(const MergeVerbOptions& options, const CodeSamples& flat, 
     const CodeSamples samples = sample_all_texels(bracket.exposures, kRobertsonTexels, call.run);
     if (even_steps(samples.seconds)) {
       call.console.warn(
-          "the exposures are in even steps, which leave Robertson's estimate free up to a factor that repeats with "
-          "them; "
-          "--method debevec asks for smoothness as well");
+          "the exposures are in even steps, which leave Robertson's estimate free up to a factor that repeats "
+          "with them; --method debevec asks for smoothness as well");
     }
     facts.fit = estimate_response_robertson(samples, {.trusted = trusted}, call.run);
   }
@@ -164,9 +163,8 @@ void add_merge(CLI::App& app, Call& call) {
   verb.add_option("IN", options->input.paths, "the photographs, in any order (JPEG, PNG, TGA; EXR, HDR, PFM as linear)")
       ->required();
   verb.add_option("--times", options->input.times,
-                  "1/1000,1/250,... seconds, -2ev,0ev,2ev steps, or a file with a line for each picture; what the "
-                  "files say if not "
-                  "said")
+                  "1/1000,1/250,... seconds, -2ev,0ev,2ev steps, or a file with a line for each picture; "
+                  "what the files say if not said")
       ->group("Input");
   verb.add_option("--ignore", options->input.ignore, "R,G,B: the colour, as codes of 255, of borders without data")
       ->group("Input");

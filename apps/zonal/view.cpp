@@ -12,6 +12,7 @@
 #include "apps/zonal/view_sheet.h"
 #include "apps/zonal/view_window.h"
 #include "zonal/base/error.h"
+#include "zonal/io/environment_file.h"
 #include "zonal/io/file.h"
 #include "zonal/io/picture.h"
 #include "zonal/light/synthetic.h"
@@ -93,7 +94,7 @@ void list_techniques(Call& call) {
 }
 
 std::string light_name(const ViewOptions& options) {
-  return options.input.paths.empty() ? "A clear day" : options.input.paths[0].filename().string();
+  return options.input.paths.empty() ? "A clear day" : environment_name(options.input.paths);
 }
 
 void write_page(const ViewData& data, const ViewState& state, const ViewOptions& options, Call& call) {
@@ -171,9 +172,8 @@ void add_view(CLI::App& app, Call& call) {
           "draws every technique beside its exact answer, with their differences, in one SVG; without a display")
       ->group(kGroup);
   verb.add_option("--html", options->html,
-                  "writes a page that draws all of it in a browser, and takes other panoramas if this build can; a "
-                  "--screenshot "
-                  "is then of the page's own, smaller maps")
+                  "writes a page that draws all of it in a browser, and takes other panoramas if this build can; "
+                  "a --screenshot is then of the page's own, smaller maps")
       ->group(kGroup);
   verb.add_option("--size", options->size, "of the picture, in pixels")->capture_default_str()->group(kGroup);
   verb.add_flag("--list", options->list, "the techniques and the settings that there are")->group(kGroup);

@@ -41,26 +41,20 @@ class SlowSceneArrows : public SlowScene {
     scene_->draw(state, kWide, kHigh);
     return target.read();
   }
-  /// The pixels of the arrow, with what is shown there: where the same view without lights looks otherwise.
   struct Shown {
     PixelPlace place;
     Rgb color;
   };
-  static std::vector<Shown> arrow(ViewState state) {
-    const Image<Rgb> with = drawn(state);
-    // Lambert's own shading would change with the number of lights: the object is the same, its marks are not.
-    state.technique = technique_named("extracted-lights");
-    const Image<Rgb> without = [&] {
-      ViewState none = state;
-      none.set("light_count", 0);
-      return drawn(none);
-    }();
+  /// The pixels of the arrow, with what is shown there: where the view without lights looks otherwise. Beside the
+  /// object only, which without lights is lit otherwise.
+  static std::vector<Shown> arrow(const ViewState& state) {
+    ViewState none = state;
+    none.set("light_count", 0);
+    const Image<Rgb> with = drawn(state), without = drawn(none);
     const Image<Rgb> surface = scene_->values(state, Measured::kNormal, kWide, kHigh);
-    const Image<Rgb> shaded = scene_->values(state, Measured::kTechnique, kWide, kHigh);
     std::vector<Shown> list;
     for (int y = 0; y < kHigh; ++y) {
       for (int x = 0; x < kWide; ++x) {
-        // The object itself is lit otherwise without lights: there, colours beyond any of its own tell the arrow.
         const bool covered = !std::isnan(surface(x, y).r);
         if (!covered && !(with(x, y) == without(x, y))) list.push_back({{x + 0.5, y + 0.5}, with(x, y)});
       }

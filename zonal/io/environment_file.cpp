@@ -1,5 +1,7 @@
 #include "zonal/io/environment_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -179,6 +181,14 @@ LoadedEnvironment load_environment(std::span<const fs::path> paths, const Enviro
   for (const fs::path& file : loaded.files) add_file(hash, file);
   loaded.hash = hash.text();
   return loaded;
+}
+
+std::string environment_name(std::span<const fs::path> paths) {
+  check(!paths.empty(), "an environment needs a picture");
+  const fs::path& first = paths[0];
+  // A folder may be written with a slash at its end.
+  const std::string name = (first.has_filename() ? first : first.parent_path()).filename().string();
+  return paths.size() == 1 ? name : fmt::format("{} and {} more", name, paths.size() - 1);
 }
 
 SaveReport save_environment(const Environment& environment, const fs::path& path, const SaveOptions& options) {

@@ -36,6 +36,9 @@ LoadedEnvironment load_environment(const std::filesystem::path&, const Environme
 LoadedEnvironment load_environment(std::span<const std::filesystem::path>, const EnvironmentLoadOptions& = {},
                                    const Run& = {});
 
+/// What people call the environment of these paths, of one at least: the last name of the first, and how many more.
+std::string environment_name(std::span<const std::filesystem::path>);
+
 /// Writes the picture of an environment as save_picture() does. A path that holds "%s" writes a cube stack as six
 /// files, "%s" being px, nx, py, ny, pz and nz: all six are complete before the first one takes its name.
 SaveReport save_environment(const Environment&, const std::filesystem::path&, const SaveOptions& = {});

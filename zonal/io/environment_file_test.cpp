@@ -147,6 +147,14 @@ TEST(EnvironmentFile, SixFilesAreWrittenOnlyTogether) {
   EXPECT_EQ(error_of([&] { save_environment(panorama, folder / "%s.pfm"); }).kind(), ErrorKind::kUsage);
 }
 
+TEST(EnvironmentFile, IsCalledByTheNameOfItsFirstPath) {
+  const auto name = [](std::vector<fs::path> paths) { return environment_name(paths); };
+  EXPECT_EQ(name({"skies/dawn.hdr"}), "dawn.hdr");
+  EXPECT_EQ(name({"skies/cube"}), "cube");
+  EXPECT_EQ(name({"skies/cube/"}), "cube");
+  EXPECT_EQ(name({"front.jpg", "back.jpg"}), "front.jpg and 1 more");
+}
+
 TEST(EnvironmentFile, ClippingIsSummedOverFaces) {
   const sample::TemporaryFolder folder;
   const Environment cube = {flat(2, 12, 2), {Layout::kCubeStack}};

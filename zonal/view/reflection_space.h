@@ -30,6 +30,11 @@ struct ReflectionSpaceOptions {
 /// alone (49 of them) cost 1 to 3 %, where maps indexed by the mirrored direction lost 4 to 6 % with 81; texels of 13
 /// degrees cost 5 to 10 % as light and under 2 % as quotients; between two layers it is 2 to 4 %.
 ///
+/// Where a small lamp or the sun holds most of the light, texels are wider than what they show. In a studio, a
+/// city, a sunset, a quarry in the sun and a modelled clear day it is off by 10 to 48 % at roughness 0.5 (split sum:
+/// 24 to 76), 5 to 25 at 0.7 (31 to 125) and 4 to 15 at 1 (42 to 202); at 0.3 by 26 to 82 %, no better than the split
+/// sum.
+///
 /// Sums over all texels, no random numbers: O(layers views² map_px² texels), 0.3 s of processor and 150 kB with shared
 /// exponents as the options are. Quotients above kMostQuotient become that. Where the eye grazes (n.v below 0.05) the
 /// texel is that of 0.05. Throws Error{kUsage} outside the domain, Error{kCancelled}.

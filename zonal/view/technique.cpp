@@ -114,7 +114,8 @@ const std::vector<Technique>& techniques() {
            "once for each of some directions of the eye and for each of four roughnesses. A pixel looks up the "
            "mean direction of its own lobe in the four maps whose eyes are around it, which warps them to its "
            "eye, and blends them. The maps hold only what they change of the split sum's, which takes every "
-           "lobe as seen from above (n = v = r) and is here to compare with: so they can be small.",
+           "lobe as seen from above (n = v = r) and is here to compare with: so they can be small. For a sun on a "
+           "smooth surface, below roughness 0.4, they are too small and gain nothing.",
        .formula = "L = (f0 A + B) M(m) Σ_k w_k(v) M_k(m)/M(m),  M_k = ∫ L_i D V n·l dω / ∫ D V n·l dω with mean "
                   "direction m for v_k",
        .source = "Cabral, Olano & Nemec 1999",
