@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "zonal/io/exr.h"
 #include "zonal/io/hdr.h"
 #include "zonal/io/pfm.h"
 #include "zonal/io/tga.h"
@@ -10,22 +11,13 @@
 namespace zonal {
 namespace {
 
-std::optional<Picture> refuse_exr(ByteReader& reader, const LoadOptions&, const Run&) {
-  const std::vector<std::uint8_t> magic = reader.head(4);
-  if (magic != std::vector<std::uint8_t>{0x76, 0x2f, 0x31, 0x01}) return std::nullopt;
-  reader.fail(
-      "OpenEXR is not read in a page",
-      "convert it: zonal convert IN.exr -o OUT.hdr (or OUT.pfm, which keeps every bit), or write a page for it: "
-      "zonal view IN.exr --html PAGE.html");
-}
-
 /// TGA has no magic number, so it comes last.
-constexpr std::array<PictureLoader, 4> kLoaders = {refuse_exr, load_hdr, load_pfm, load_tga};
+constexpr std::array<PictureLoader, 4> kLoaders = {load_exr, load_hdr, load_pfm, load_tga};
 
 }  // namespace
 
 std::span<const PictureLoader> picture_loaders() { return kLoaders; }
 
-std::string_view picture_format_names() { return "Radiance HDR, PFM, PNG, JPEG, WebP or TGA"; }
+std::string_view picture_format_names() { return "OpenEXR, Radiance HDR, PFM, PNG, JPEG, WebP or TGA"; }
 
 }  // namespace zonal

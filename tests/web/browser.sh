@@ -10,6 +10,7 @@ work=$2
 in_browser_folder "$work" "$here/../view_page" "$here/check.mjs" "$here/../view_page/page.mjs"
 # Light without symmetry, so that a mirrored or turned picture shows.
 "$zonal" testcard --size 256 -o card.hdr --quiet
+"$zonal" convert card.hdr -o card.exr --quiet
 "$zonal" testcard --size 256 -o card.png --quiet
 "$zonal" convert card.hdr --to angular --size 200 -o disc.pfm --quiet
 "$zonal" sky daylight --size 1024 -o large.hdr --quiet

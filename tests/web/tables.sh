@@ -13,7 +13,9 @@ cd "$work"
 "$zonal" sky daylight --size 200 -o sky.hdr --quiet
 "$zonal" convert sky.hdr --to angular --size 150 -o probe.pfm --quiet
 "$zonal" convert sky.hdr --to fisheye --size 150 -o fisheye.pfm --quiet
-for name in sky.hdr probe.pfm fisheye.pfm; do
+"$zonal" convert sky.hdr -o sky.exr --quiet
+"$zonal" convert sky.hdr --to angular --size 9 -o nine.exr --quiet
+for name in sky.hdr sky.exr probe.pfm fisheye.pfm; do
   "$zonal" view $name --html "$name.html" --isa baseline --quiet 2>log || { cat log; exit 1; }
 done
-node "$here/tables.mjs" sky.hdr probe.pfm fisheye.pfm
+node "$here/tables.mjs" sky.hdr sky.exr probe.pfm fisheye.pfm

@@ -7,11 +7,12 @@
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputPart.h>
 #include <OpenEXR/ImfMultiPartInputFile.h>
+#include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfRgbaFile.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 
 #include <algorithm>
-#include <cmath>
+#include <vector>
 
 #include "zonal/base/error.h"
 #include "zonal/base/parallel.h"
@@ -39,31 +40,28 @@ class ExrFile {
   Imf::MultiPartInputFile file_;
 };
 
-std::string words_of(const Imath::Box2i& window) {
-  return std::to_string(window.max.x - window.min.x + 1) + "x" + std::to_string(window.max.y - window.min.y + 1) +
-         " at (" + std::to_string(window.min.x) + ", " + std::to_string(window.min.y) + ")";
+ExrWindow window_of(const Imath::Box2i& box) { return {box.min.x, box.min.y, box.max.x, box.max.y}; }
+
+ExrPart part_of(const Imf::Header& header) {
+  ExrPart part;
+  if (header.hasName()) part.name = header.name();
+  part.is_deep = header.hasType() && Imf::isDeepData(header.type());
+  const Imf::ChannelList& channels = header.channels();
+  for (auto it = channels.begin(); it != channels.end(); ++it) part.channels.emplace_back(it.name());
+  part.data = window_of(header.dataWindow());
+  part.display = window_of(header.displayWindow());
+  if (Imf::hasChromaticities(header)) {
+    const Imf::Chromaticities& c = Imf::chromaticities(header);
+    part.chromaticities = {c.red.x, c.red.y, c.green.x, c.green.y, c.blue.x, c.blue.y, c.white.x, c.white.y};
+  }
+  if (Imf::hasEnvmap(header)) part.envmap = Imf::envmap(header);
+  return part;
 }
 
-bool is_rec709(const Imf::Chromaticities& c) {
-  const Imf::Chromaticities rec709;
-  const auto close = [](Imath::V2f a, Imath::V2f b) { return (a - b).length() < 0.002f; };  // the figures' own digits
-  return close(c.red, rec709.red) && close(c.green, rec709.green) && close(c.blue, rec709.blue) &&
-         close(c.white, rec709.white);
-}
-
-void note_header(const Imf::Header& header, Picture& picture) {
-  if (header.dataWindow() != header.displayWindow()) {
-    picture.notes.push_back("the data window, " + words_of(header.dataWindow()) + ", is read; the display window is " +
-                            words_of(header.displayWindow()));
-  }
-  if (Imf::hasChromaticities(header) && !is_rec709(Imf::chromaticities(header))) {
-    picture.notes.push_back("the file's primaries are not Rec. 709 and are not converted");
-  }
-  if (Imf::hasEnvmap(header)) {
-    picture.notes.push_back(Imf::envmap(header) == Imf::ENVMAP_LATLONG
-                                ? "the file says that it is a latitude-longitude map"
-                                : "the file says that it is an OpenEXR cube map");
-  }
+std::vector<ExrPart> parts_of(const Imf::MultiPartInputFile& file) {
+  std::vector<ExrPart> parts;
+  for (int i = 0; i < file.parts(); ++i) parts.push_back(part_of(file.header(i)));
+  return parts;
 }
 
 /// Rows that may be decoded at once without decoding a chunk for two blocks.
@@ -113,9 +111,10 @@ void read_luminance_chroma(const ByteReader& reader, const ExrChoice& choice, Im
 
 Picture read_file(const ByteReader& reader, const Run& run) {
   ExrFile file(reader);
-  const std::optional<ExrChoice> choice = choose_exr_channels(*file);
+  const std::vector<ExrPart> parts = parts_of(*file);
+  const std::optional<ExrChoice> choice = choose_exr_channels(parts);
   if (!choice) {
-    reader.fail("this OpenEXR has no flat R, G, B or Y channels: " + describe_exr_channels(*file),
+    reader.fail("this OpenEXR has no flat R, G, B or Y channels: " + describe_exr_channels(parts),
                 "export a colour layer");
   }
   const bool complete = file->partComplete(choice->part);
@@ -130,7 +129,6 @@ Picture read_file(const ByteReader& reader, const Run& run) {
   picture.alpha = choice->alpha;
   picture.channels = (choice->kind == ExrChoice::kLuminance ? 1 : 3) + (choice->alpha ? 1 : 0);
   picture.notes = choice->notes;
-  note_header(header, picture);
   const Imath::Box2i window = header.dataWindow();
   picture.pixels = Image<Rgb>(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1);
   if (choice->kind == ExrChoice::kLuminanceChroma) {

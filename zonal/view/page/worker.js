@@ -90,7 +90,13 @@ const lightOf = async ({module, file, name, from, fix}) => {
   const words = [...put(new TextEncoder().encode(name)), ...put(new TextEncoder().encode(from)), fix ? 1 : 0];
   const bytes = new Uint8Array(file);
   if (!isPng(bytes) && !isJpeg(bytes) && !isWebp(bytes)) {
-    exports.show_file(...words, ...put(bytes));
+    try {
+      exports.show_file(...words, ...put(bytes));
+    } catch (error) {
+      if (error instanceof Refusal) throw error;
+      throw new Refusal(`${name}: the library stopped while it read this (${error.message})`,
+                        'most likely the file is broken; if other programs open it, please report it');
+    }
     return light;
   }
   const facts = isPng(bytes) ? pngFacts(bytes) : {wide: false, linear: false};
