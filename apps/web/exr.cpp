@@ -18,8 +18,8 @@ namespace zonal {
 namespace {
 
 constexpr const char* kHint =
-    "convert it: zonal convert IN.exr -o OUT.hdr (or OUT.pfm, which keeps every bit), or write a page for it: "
-    "zonal view IN.exr --html PAGE.html";
+    "a page reads OpenEXR uncompressed or with RLE, ZIP or PIZ; convert it: zonal convert IN.exr -o OUT.hdr (or "
+    "OUT.pfm, which keeps every bit), or write a page for it: zonal view IN.exr --html PAGE.html";
 
 /// What the reader says of itself ends with a line.
 std::string words_of(const char* error) {
