@@ -25,7 +25,7 @@ class LightChooser {
     this.words = made('p', {class: 'zv-note', role: 'status'});
     this.element = made('section', {class: 'zv-light'}, input,
         made('p', {}, made('button', {type: 'button', onclick: () => input.click()}, 'Choose a panorama…'),
-             made('span', {class: 'zv-note'}, ' or drop one anywhere: EXR, HDR, PFM, PNG, JPEG, WebP, TGA')),
+             made('span', {class: 'zv-note'}, ' or drop one: EXR, HDR, PFM, PNG, JPEG, WebP, TGA')),
         this.work, this.words, made('details', {class: 'zv-reading'}, made('summary', {}, 'How it is read'), from.element, fix.element));
     this.watchDrops(root);
   }
