@@ -108,6 +108,7 @@ void write_page(const ViewData& data, const ViewState& state, const ViewOptions&
   }
 #ifdef ZONAL_HAS_WEB
   page.module = web_module();
+  page.notices = web_notices();
 #endif
   const std::string html = view_page_html(data, page);
   write_file(options.html, html);

@@ -71,6 +71,7 @@ for (const name of process.argv.slice(2)) {
 // Refusals say what to do.
 const page = tablesOf(process.argv[2] + '.html'), sky = readFileSync(process.argv[2]);
 console.log(`a page of ${page.size} bytes, of them ${page.module.length} the module`);
+expect(readFileSync(process.argv[2] + '.html', 'utf8').split('Syoyo Fujita and many contributors').length === 2, 'no notices of its parts');
 expect(page.size < 3e6, `the page has ${page.size} bytes`);
 const pfm = (width, height, values) => Buffer.concat([Buffer.from(`PF\n${width} ${height}\n-1.0\n`), Buffer.from(Float32Array.from(values).buffer)]);
 const grey = new Array(3 * 64 * 32).fill(0.5), bad = [...grey];

@@ -78,6 +78,9 @@ ViewSection view_section(const ViewData& light, ViewPageOptions options) {
   std::string html = filled(std::string(page_part("section")), "@script@", script());
   html = filled(std::move(html), "@opening@", page.opening);
   html = filled(std::move(html), "@rest@", page.rest);
+  check(options.notices.find("--") == std::string_view::npos, "notices are a comment, which two hyphens would end");
+  const bool has_notices = takes_others && !options.notices.empty();
+  html = filled(std::move(html), "@notices@", has_notices ? fmt::format("<!--\n{}-->\n", options.notices) : "");
   html = filled(std::move(html), "@module@", takes_others ? packed_text(options.module) : "");
   // Last: words from outside may look like a mark.
   html = filled(std::move(html), "@tables@", json_for_script(page.tables));

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -22,7 +23,8 @@ struct ViewPageOptions {
   /// The library for browsers (apps/web, a WebAssembly module): with it, a page of its own takes any panorama. Alive
   /// until the page is written.
   std::span<const std::byte> module = {};
-  bool embedded = false;  ///< in a page of others: no title of its own, and nothing is kept in the address
+  std::string_view notices = {};  ///< what goes beside the module as a comment: no two hyphens in a row
+  bool embedded = false;          ///< in a page of others: no title of its own, and nothing is kept in the address
 };
 
 /// A self-contained page that draws with WebGL2: no network, nothing beside it. All techniques and controls of the

@@ -165,7 +165,10 @@ TEST(SlowViewPage, CarriesTheLibraryWhenItGetsIt) {
   EXPECT_TRUE(tables_of(plain).at("chooser").is_null());
   EXPECT_EQ(count(plain, "wasm-unsafe-eval") + count(plain, "blob:"), 0u);
   const std::vector<std::byte> module(3000, std::byte{7});
-  const std::string html = view_page_html(small_light(), {.module = module});
+  const std::string html = view_page_html(small_light(), {.module = module, .notices = "Parts by others.\n"});
+  EXPECT_EQ(count(html, "<!--\nParts by others.\n-->"), 1u);
+  EXPECT_EQ(count(plain, "<!--"), 0u);
+  EXPECT_THROW(view_page_html(small_light(), {.module = module, .notices = "-->"}), std::logic_error);
   EXPECT_EQ(count(html, "script-src 'unsafe-inline' 'wasm-unsafe-eval'; worker-src blob:\""), 1u);
   const nlohmann::json chooser = tables_of(html).at("chooser");
   EXPECT_EQ(part_of(html, "module"), packed_text(module));
