@@ -3,7 +3,22 @@ import {readFileSync} from 'node:fs';
 import vm from 'node:vm';
 import {inflateSync} from 'node:zlib';
 
-const unpacked = (text) => new Uint8Array(inflateSync(Buffer.from(text, 'base64')));
+const digits = '!#$%&\'()*+,-./0123456789:;=>?ABCDEFGHIJKLMNOPQRSTUVWXYZ[\\]^_`abcdefghijklmnopqrstuvwxyz{|}~';
+const digitOf = Object.fromEntries([...digits].map((letter, digit) => [letter, digit]));
+// Base 91: 13 bits in a pair of letters, six in a last one alone.
+const bytesOf = (text) => {
+  const bytes = [];
+  let bits = 0, held = 0;
+  for (let i = 0; i < text.length; i += 2) {
+    bits += (digitOf[text[i]] + 91 * (digitOf[text[i + 1]] ?? 0)) * 2 ** held;
+    for (held += i + 1 < text.length ? 13 : 6; held >= 8; held -= 8) {
+      bytes.push(bits % 256);
+      bits = Math.floor(bits / 256);
+    }
+  }
+  return Buffer.from(bytes);
+};
+const unpacked = (text) => new Uint8Array(inflateSync(bytesOf(text)));
 
 // What the script of the page reads: its tables, with `bytes` and `module`.
 export const tablesOf = (path) => {

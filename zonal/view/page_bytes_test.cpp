@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -30,6 +32,23 @@ TEST(PageBytes, Base64AsInTheStandard) {
   EXPECT_EQ(decoded(base64_text(bytes_of(all))), all);
   EXPECT_NE(base64_text(bytes_of(all)).find('+'), std::string::npos);
   EXPECT_NE(base64_text(bytes_of(all)).find('/'), std::string::npos);
+}
+
+TEST(PageBytes, Base91OfAnyBytesOfAnyLength) {
+  EXPECT_EQ(base91_text(bytes_of("")), "");
+  EXPECT_EQ(base91_text(bytes_of(std::string(1, '\0'))), "!!");
+  std::mt19937 random(91);
+  std::set<char> seen;
+  for (std::size_t length = 0; length < 300; ++length) {
+    std::string bytes(length, '\0');
+    for (char& c : bytes) c = static_cast<char>(random());
+    const std::string text = base91_text(bytes_of(bytes));
+    EXPECT_EQ(decoded91(text), bytes) << length;
+    EXPECT_LE(13 * text.size(), 16 * length + 13);
+    seen.insert(text.begin(), text.end());
+  }
+  EXPECT_EQ(seen.size(), 91u);
+  for (const char c : {' ', '"', '<', '@', '\x7f'}) EXPECT_FALSE(seen.contains(c)) << c;
 }
 
 TEST(PageBytes, PutsNumbersDownPlaneByPlane) {

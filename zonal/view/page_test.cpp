@@ -24,9 +24,10 @@ constexpr const char* kHostile = "</script><script>alert(1)</script><!--\"&'\xff
 /// Light that does not compress.
 Environment noise(int rows) {
   std::mt19937 random(3);
-  std::uniform_real_distribution<float> value(0, 2);
+  std::uniform_real_distribution<float> stops(-4, 4);
+  const auto value = [&] { return std::exp2(stops(random)); };
   Environment map = {Image<Rgb>(2 * rows, rows), {Layout::kEquirect}};
-  for (Rgb& texel : map.radiance.values()) texel = {value(random), value(random), value(random)};
+  for (Rgb& texel : map.radiance.values()) texel = {value(), value(), value()};
   return map;
 }
 
@@ -153,7 +154,12 @@ TEST(SlowViewPage, NoWordOfTheOutsideBecomesMarkup) {
 }
 
 TEST(SlowViewPage, AsksNothingOfTheNetwork) {
-  const std::string html = view_page_html(small_light());
+  std::string html = view_page_html(small_light());
+  // Packed numbers may look like any word.
+  for (const char* packed : {"opening", "rest"}) {
+    const std::string numbers = part_of(html, packed);
+    html.erase(html.find(numbers), numbers.size());
+  }
   EXPECT_EQ(count(html, "default-src 'none'"), 1u);
   for (const char* word : {"http:", "https:", "src=", "fetch(", "XMLHttpRequest", "import(", "eval(", "innerHTML"}) {
     EXPECT_EQ(count(html, word), 0u) << word;
@@ -201,7 +207,7 @@ TEST(SlowViewPage, SaysWhatWasCutOff) {
 }
 
 TEST(SlowViewPage, IsSmallForNoise) {
-  std::vector<std::byte> module(250'000);  // the packed size of the real one
+  std::vector<std::byte> module(275'000);  // the packed size of the real one
   std::mt19937 random(4);
   for (std::byte& byte : module) byte = static_cast<std::byte>(random());
   const std::string html = view_page_html(view_data(noise(256), view_page_data_options()), {.module = module});

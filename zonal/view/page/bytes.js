@@ -1,4 +1,4 @@
-// The numbers of the page: base64 of zlib streams of arrays, each plane by plane, its lowest bytes first. The page's own
+// The numbers of the page: base 91 of zlib streams of arrays, each plane by plane, its lowest bytes first. The page's own
 // come in two parts, so that the first picture need not wait for what other pictures are made of.
 
 const textOf = (part) => {
@@ -24,14 +24,29 @@ const joined = (parts) => {
   return bytes;
 };
 
+// 13 bits in each pair of letters, the lower digit first; six in a last one alone.
+const bytesOf = (letters) => {
+  const digit = (i) => {
+    const code = letters.charCodeAt(i);
+    return code - 36 + (code < 64) + (code < 60) + (code < 34);
+  };
+  const pairs = letters.length >> 1, lone = letters.length & 1;
+  const bytes = new Uint8Array((13 * pairs + 6 * lone) >> 3);
+  let bits = 0, held = 0, at = 0;
+  for (let i = 0; i < pairs + lone; ++i) {
+    bits |= (digit(2 * i) + (i < pairs ? 91 * digit(2 * i + 1) : 0)) << held;
+    held += i < pairs ? 13 : 6;
+    for (; held >= 8; held -= 8, bits >>= 8) bytes[at++] = bits & 255;
+  }
+  return bytes;
+};
+
 const unpacked = async (text) => {
   if (typeof DecompressionStream === 'undefined') {
     throw new Error('this browser cannot unpack the data: it knows no DecompressionStream (browsers since 2023 do)');
   }
   const stream = new DecompressionStream('deflate'), writer = stream.writable.getWriter(), reader = stream.readable.getReader();
-  const letters = atob(text), packed = new Uint8Array(letters.length);
-  for (let i = 0; i < letters.length; ++i) packed[i] = letters.charCodeAt(i);
-  const written = writer.write(packed).then(() => writer.close());
+  const written = writer.write(bytesOf(text)).then(() => writer.close());
   const parts = [];
   for (let part = await reader.read(); !part.done; part = await reader.read()) parts.push(part.value);
   await written;
