@@ -5,6 +5,7 @@
 
 #include <array>
 #include <bit>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <new>
@@ -85,7 +86,9 @@ class Exr {
       return LoadEXRMultipartImageFromMemory(images.data(), headers.data(), static_cast<unsigned>(headers.size()),
                                              bytes_.data(), bytes_.size(), error);
     });
-    return images[static_cast<std::size_t>(part)];
+    const EXRImage& image = images[static_cast<std::size_t>(part)];
+    check_tiles(header(part), image);
+    return image;
   }
 
  private:
@@ -110,6 +113,21 @@ class Exr {
       if (name == "envmap" && attribute.size == 1) part.envmap = attribute.value[0];
     }
     return part;
+  }
+
+  /// The reader believes what a tile says of its place.
+  void check_tiles(const EXRHeader& header, const EXRImage& image) const {
+    for (int i = 0; header.tiled != 0 && i < image.num_tiles; ++i) {
+      const EXRTile& tile = image.tiles[i];
+      const auto lies_in = [](int place, int step, int size, int limit) {
+        return place >= 0 && std::int64_t{step} * place < limit && size >= 0 && size <= step;
+      };
+      if (lies_in(tile.offset_x, header.tile_size_x, tile.width, image.width) &&
+          lies_in(tile.offset_y, header.tile_size_y, tile.height, image.height)) {
+        continue;
+      }
+      reader_.fail("broken OpenEXR: a tile lies outside of the picture", "save it again");
+    }
   }
 
   template <class Call>
@@ -164,36 +182,24 @@ int channel_of(const EXRHeader& header, const std::string& name) {
 }  // namespace
 
 std::optional<Picture> load_exr(ByteReader& reader, const LoadOptions& options, const Run&) {
-  const std::vector<std::uint8_t> magic = reader.head(4);
-  if (magic != std::vector<std::uint8_t>{0x76, 0x2f, 0x31, 0x01}) return std::nullopt;
+  if (!is_exr(reader)) return std::nullopt;
   check_exr_headers(reader, options);
   Exr file(reader);
-  const std::vector<ExrPart> parts = file.parts();
-  const std::optional<ExrChoice> choice = choose_exr_channels(parts);
-  if (!choice) {
-    reader.fail("this OpenEXR has no flat R, G, B or Y channels: " + describe_exr_channels(parts),
-                "export a colour layer");
-  }
-  if (choice->kind == ExrChoice::kLuminanceChroma) reader.fail("luminance-chroma OpenEXR is not read in a page", kHint);
-  const EXRHeader& header = file.header(choice->part);
+  const ExrChoice choice = choose_exr_channels(reader, file.parts());
+  if (choice.kind == ExrChoice::kLuminanceChroma) reader.fail("luminance-chroma OpenEXR is not read in a page", kHint);
+  const EXRHeader& header = file.header(choice.part);
   for (int c = 0; c < header.num_channels; ++c) {
     if (header.channels[c].x_sampling == 1 && header.channels[c].y_sampling == 1) continue;
     reader.fail("subsampled OpenEXR is not read in a page", kHint);
   }
-  const EXRImage image = file.decode(choice->part);
+  const EXRImage image = file.decode(choice.part);
 
-  Picture picture;
-  picture.format = "OpenEXR";
-  picture.alpha = choice->alpha;
-  const bool grey = choice->kind == ExrChoice::kLuminance;
-  picture.channels = (grey ? 1 : 3) + (choice->alpha ? 1 : 0);
-  picture.notes = choice->notes;
-  picture.pixels = Image<Rgb>(image.width, image.height);
-  for (std::size_t i = 0; i < choice->channels.size(); ++i) {
-    each_sample(header, image, channel_of(header, choice->channels[i]), [&](int x, int y, float value) {
+  Picture picture = exr_picture(choice, image.width, image.height);
+  for (std::size_t i = 0; i < choice.channels.size(); ++i) {
+    each_sample(header, image, channel_of(header, choice.channels[i]), [&](int x, int y, float value) {
       Rgb& pixel = picture.pixels(x, y);
       (i == 0 ? pixel.r : i == 1 ? pixel.g : pixel.b) = value;
-      if (grey) pixel.g = pixel.b = value;
+      if (choice.kind == ExrChoice::kLuminance) pixel.g = pixel.b = value;
     });
   }
   return picture;

@@ -29,6 +29,16 @@ TEST_F(SlowCliRealData, BakesHoldTheirBounds) {
   EXPECT_EQ(maps, 3 * 5);
 }
 
+TEST_F(SlowCliRealData, PagesOfPanoramasAreSmall) {
+  int pages = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(data() / "equirect")) {
+    good({"view", entry.path().string(), "--html", "page.html", "--quiet"});
+    EXPECT_LT(std::filesystem::file_size(path("page.html")), 3'000'000u) << entry.path();
+    ++pages;
+  }
+  EXPECT_GE(pages, 20);
+}
+
 TEST_F(SlowCliRealData, EveryKindOfInput) {
   const std::vector<std::vector<std::string>> inputs = {
       {file("angular/beach_probe.hdr")},

@@ -111,31 +111,21 @@ void read_luminance_chroma(const ByteReader& reader, const ExrChoice& choice, Im
 
 Picture read_file(const ByteReader& reader, const Run& run) {
   ExrFile file(reader);
-  const std::vector<ExrPart> parts = parts_of(*file);
-  const std::optional<ExrChoice> choice = choose_exr_channels(parts);
-  if (!choice) {
-    reader.fail("this OpenEXR has no flat R, G, B or Y channels: " + describe_exr_channels(parts),
-                "export a colour layer");
-  }
-  const bool complete = file->partComplete(choice->part);
+  const ExrChoice choice = choose_exr_channels(reader, parts_of(*file));
+  const bool complete = file->partComplete(choice.part);
   if (!complete) reader.fail("this OpenEXR was never finished: rows are missing", "write it again");
-  const Imf::Header& header = file->header(choice->part);
-  for (const std::string& name : choice->channels) {
+  const Imf::Header& header = file->header(choice.part);
+  for (const std::string& name : choice.channels) {
     const Imf::Channel& channel = header.channels()[name];
     if (channel.xSampling != 1 || channel.ySampling != 1) reader.fail("this OpenEXR has subsampled colour channels");
   }
-  Picture picture;
-  picture.format = "OpenEXR";
-  picture.alpha = choice->alpha;
-  picture.channels = (choice->kind == ExrChoice::kLuminance ? 1 : 3) + (choice->alpha ? 1 : 0);
-  picture.notes = choice->notes;
   const Imath::Box2i window = header.dataWindow();
-  picture.pixels = Image<Rgb>(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1);
-  if (choice->kind == ExrChoice::kLuminanceChroma) {
-    read_luminance_chroma(reader, *choice, picture.pixels);
+  Picture picture = exr_picture(choice, window.max.x - window.min.x + 1, window.max.y - window.min.y + 1);
+  if (choice.kind == ExrChoice::kLuminanceChroma) {
+    read_luminance_chroma(reader, choice, picture.pixels);
   } else {
     for_each_block(run, "read", picture.pixels.height(), block_rows(header),
-                   [&](Block rows) { read_rows(reader, *choice, rows, picture.pixels); });
+                   [&](Block rows) { read_rows(reader, choice, rows, picture.pixels); });
   }
   return picture;
 }
@@ -143,8 +133,7 @@ Picture read_file(const ByteReader& reader, const Run& run) {
 }  // namespace
 
 std::optional<Picture> load_exr(ByteReader& reader, const LoadOptions& options, const Run& run) {
-  const std::vector<std::uint8_t> magic = reader.head(4);
-  if (magic != std::vector<std::uint8_t>{0x76, 0x2f, 0x31, 0x01}) return std::nullopt;
+  if (!is_exr(reader)) return std::nullopt;
   check_exr_headers(reader, options);
   try {
     return read_file(reader, run);

@@ -68,9 +68,21 @@ void note_header(const ExrPart& part, std::vector<std::string>& notes) {
   }
 }
 
+/// Parts and channels in words.
+std::string words_of(std::span<const ExrPart> parts) {
+  constexpr std::size_t kLongest = 300;
+  std::string text;
+  for (std::size_t i = 0; i < parts.size() && text.size() < kLongest; ++i) {
+    text += (i > 0 ? "; part " : "part ") + part_name(parts, i) + (parts[i].is_deep ? " (deep):" : ":");
+    for (const std::string& name : parts[i].channels) text += " " + name;
+  }
+  if (text.size() > kLongest) text = text.substr(0, kLongest) + " ...";
+  return text;
+}
+
 }  // namespace
 
-std::optional<ExrChoice> choose_exr_channels(std::span<const ExrPart> parts) {
+ExrChoice choose_exr_channels(const ByteReader& reader, std::span<const ExrPart> parts) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (parts[i].is_deep) continue;
     for (const std::string& layer : layers_of(parts[i])) {
@@ -88,21 +100,20 @@ std::optional<ExrChoice> choose_exr_channels(std::span<const ExrPart> parts) {
                                 "\" is read: the main layer has no colour");
       }
       note_header(parts[i], choice->notes);
-      return choice;
+      return *std::move(choice);
     }
   }
-  return std::nullopt;
+  reader.fail("this OpenEXR has no flat R, G, B or Y channels: " + words_of(parts), "export a colour layer");
 }
 
-std::string describe_exr_channels(std::span<const ExrPart> parts) {
-  constexpr std::size_t kLongest = 300;
-  std::string text;
-  for (std::size_t i = 0; i < parts.size() && text.size() < kLongest; ++i) {
-    text += (i > 0 ? "; part " : "part ") + part_name(parts, i) + (parts[i].is_deep ? " (deep):" : ":");
-    for (const std::string& name : parts[i].channels) text += " " + name;
-  }
-  if (text.size() > kLongest) text = text.substr(0, kLongest) + " ...";
-  return text;
+Picture exr_picture(const ExrChoice& choice, int width, int height) {
+  Picture picture;
+  picture.pixels = Image<Rgb>(width, height);
+  picture.format = "OpenEXR";
+  picture.alpha = choice.alpha;
+  picture.channels = (choice.kind == ExrChoice::kLuminance ? 1 : 3) + (choice.alpha ? 1 : 0);
+  picture.notes = choice.notes;
+  return picture;
 }
 
 }  // namespace zonal

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "zonal/io/picture.h"
+
 namespace zonal {
 
 /// Inclusive corners, as OpenEXR writes them.
@@ -34,10 +36,11 @@ struct ExrChoice {
   std::vector<std::string> notes;  ///< of the choice, and of what the part's header says beside it
 };
 
-/// The first flat part with R, G, B or Y, in its main layer or else in its first layer that has them. nullopt: none.
-std::optional<ExrChoice> choose_exr_channels(std::span<const ExrPart>);
+/// The first flat part with R, G, B or Y, in its main layer or else in its first layer that has them. Where none has,
+/// throws the reader's Error{kInput}, which lists what is there.
+ExrChoice choose_exr_channels(const ByteReader&, std::span<const ExrPart>);
 
-/// Parts and channels in words, for the message that none of them will do.
-std::string describe_exr_channels(std::span<const ExrPart>);
+/// A black picture of this size that says of itself what the choice does.
+Picture exr_picture(const ExrChoice&, int width, int height);
 
 }  // namespace zonal

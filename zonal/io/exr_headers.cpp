@@ -94,6 +94,8 @@ bool read_part(ByteReader& reader, bool tiled, const LoadOptions& options) {
 
 }  // namespace
 
+bool is_exr(ByteReader& reader) { return reader.head(4) == std::vector<std::uint8_t>{0x76, 0x2f, 0x31, 0x01}; }
+
 void check_exr_headers(ByteReader& reader, const LoadOptions& options) {
   reader.seek(4);
   const auto version = static_cast<std::uint32_t>(read_int(reader));

@@ -1,8 +1,8 @@
 #include "zonal/report/png_uri.h"
 
 #include "zonal/base/check.h"
+#include "zonal/io/base64.h"
 #include "zonal/io/png.h"
-#include "zonal/view/packed_text.h"
 
 namespace zonal {
 

@@ -12,8 +12,8 @@
 #include <span>
 #include <string>
 
+#include "zonal/io/base64.h"
 #include "zonal/math/vec.h"
-#include "zonal/view/packed_text.h"
 
 namespace zonal {
 

@@ -6,11 +6,8 @@
 
 namespace zonal {
 
-/// Base64 of RFC 4648, section 4.
-std::string base64_text(std::span<const std::byte>);
-
 /// Two letters for each 13 bits, the lowest first, as digits of base 91, the lower first; six bits or less at the end
-/// have one letter. Nine tenths as long as base64. The digits are the printable letters of ASCII without space, '"',
+/// have one letter. A thirteenth shorter than base64. The digits are the printable letters of ASCII without space, '"',
 /// '<' and
 /// '@': nothing that ends a script, and no mark of a page's template.
 std::string base91_text(std::span<const std::byte>);

@@ -8,24 +8,6 @@
 
 namespace zonal {
 
-/// The inverse of base64_text(), written another way: digit by digit into a register.
-inline std::string decoded(const std::string& text) {
-  std::string bytes;
-  unsigned bits = 0, held = 0;
-  for (const char c : text) {
-    if (c == '=') break;
-    const unsigned digit = c >= 'A' && c <= 'Z'   ? c - 'A'
-                           : c >= 'a' && c <= 'z' ? c - 'a' + 26
-                           : c >= '0' && c <= '9' ? c - '0' + 52
-                           : c == '+'             ? 62
-                                                  : 63;
-    bits = bits << 6 | digit;
-    held += 6;
-    if (held >= 8) bytes += static_cast<char>(bits >> (held -= 8) & 255);
-  }
-  return bytes;
-}
-
 /// The inverse of base91_text(), written another way: bit by bit.
 inline std::string decoded91(const std::string& text) {
   static const std::string kDigits =

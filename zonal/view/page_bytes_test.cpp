@@ -20,20 +20,6 @@ std::vector<std::byte> bytes_of(std::string_view text) {
 
 std::string numbers_of(const PageBytes& page) { return unpacked(packed_text(std::as_bytes(std::span(page.bytes())))); }
 
-TEST(PageBytes, Base64AsInTheStandard) {
-  // RFC 4648, section 10.
-  EXPECT_EQ(base64_text(bytes_of("")), "");
-  EXPECT_EQ(base64_text(bytes_of("f")), "Zg==");
-  EXPECT_EQ(base64_text(bytes_of("fo")), "Zm8=");
-  EXPECT_EQ(base64_text(bytes_of("foo")), "Zm9v");
-  EXPECT_EQ(base64_text(bytes_of("foobar")), "Zm9vYmFy");
-  std::string all;
-  for (int i = 0; i < 256; ++i) all += static_cast<char>(i);
-  EXPECT_EQ(decoded(base64_text(bytes_of(all))), all);
-  EXPECT_NE(base64_text(bytes_of(all)).find('+'), std::string::npos);
-  EXPECT_NE(base64_text(bytes_of(all)).find('/'), std::string::npos);
-}
-
 TEST(PageBytes, Base91OfAnyBytesOfAnyLength) {
   EXPECT_EQ(base91_text(bytes_of("")), "");
   EXPECT_EQ(base91_text(bytes_of(std::string(1, '\0'))), "!!");

@@ -59,7 +59,7 @@ Image<Rgb> dual_paraboloid_picture(const Environment& source, int size_px, const
   return filled(source, {Layout::kDualParaboloid}, size_px, run, [&](double x, double y) {
     const bool back = x > size_px;
     const double u = 2 * (back ? x - size_px : x) / size_px - 1, v = 2 * y / size_px - 1;
-    // Texels beside the rim are blended with it; farther out a picture shows nothing, and what is alike packs well.
+    // Two texels beside the rim are blended with it; farther out nothing is looked up, and what is alike packs well.
     if (std::hypot(u, v) > 1 + 4.0 / size_px) return Vec3{1, 0, 0};
     const double square = u * u + v * v, forward = (1 - square) / (1 + square);
     return Vec3{back ? -forward : forward, -2 * u / (1 + square), -2 * v / (1 + square)};
